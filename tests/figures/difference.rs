@@ -144,45 +144,37 @@ fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green
 #[test]
 fn demo_polygons_shows_the_way_out_to_the_nearest_edge() {
     let f = figure("demo-polygons");
-    let world = look(&f, 0, [-5.3, -4.0, 6.7, 7.2]);
-    // B's edge on the line 4x + 3y = 6 goes to A's vertex (2.5, 2), along (4, 3)/5 by 2.
+    let world = look(&f, 0, [-4.6, -5.5, 7.7, 5.7]);
+    // B's edge on the line 4x + 3y = -0.5 goes to A's vertex (2, 0.5), along (4, 3)/5 by 2.
     shows![
-        world.polygon(A, &[(2.5, 2.0), (-1.75, 3.75), (-4.0, 1.0), (-3.0, -1.5), (-0.5, -2.0)]).is_some(),
-        world.polygon(B, &[(-0.75, 3.0), (1.8, -0.4), (3.5, 4.0)]).is_some(),
-        world.polygon(B, &[(0.85, 4.2), (3.4, 0.8), (5.1, 5.2)]).is_some_and(|p| p.fill.is_none()),
-        world.arrow(Translation, (0.9, 0.8), (2.5, 2.0)),
+        world.polygon(A, &[(2.0, 0.5), (-1.5, 0.0), (-3.0, -1.5), (-1.0, -4.0)]).is_some(),
+        world.polygon(B, &[(-1.25, 1.5), (1.75, -2.5), (4.5, 3.0)]).is_some(),
+        world.polygon(B, &[(0.35, 2.7), (3.35, -1.3), (6.1, 4.2)]).is_some_and(|p| p.fill.is_none()),
+        world.arrow(Translation, (0.4, -0.7), (2.0, 0.5)),
         f.says("$B$ pushed out"),
-        // One vertex can be worked out: (3.5, 4) − (−3, −1.5).
-        world.text_near("$(3.5, 4)$", (3.5, 4.0), 60.0)
-            && world.text_near("$(-3, -1.5)$", (-3.0, -1.5), 60.0),
     ];
-    let conf = look(&f, 1, [-3.85, -4.8, 8.15, 6.4]);
+    let conf = look(&f, 1, [-4.05, -3.6, 8.25, 7.6]);
     edges_wear_their_source(
         &conf,
         &[
-            ((3.55, -4.15), A),
-            ((5.8, -1.4), B),
-            ((7.5, 3.0), A),
-            ((6.5, 5.5), A),
-            ((4.0, 6.0), B),
-            ((-0.25, 5.0), A),
+            ((-0.25, -3.0), A),
+            ((3.25, -2.5), A),
+            ((4.75, -1.0), B),
+            ((7.5, 4.5), A),
+            ((5.5, 7.0), B),
+            ((-0.25, 5.5), A),
             ((-3.25, 1.0), B),
-            ((-0.7, -2.4), A),
         ],
     );
-    // The next way out is square to the edge from (-0.25, 5) to (-3.25, 1) on the line 4x - 3y = -16. Pushed by
-    // (1.6, 1.2), B takes B ⊖ A along until the nearest edge runs through O.
-    let foot = (-0.8 * 3.2, 0.6 * 3.2);
+    // The next way out is square to the edge from (-0.25, -3) to (3.25, -2.5), on the line x - 7y = 20.75.
+    let foot = (20.75 / 50.0, -7.0 * 20.75 / 50.0);
     shows![
         conf.marker(Ink, (0.0, 0.0)),
         conf.arrow_toward(Translation, (-1.6, -1.2), (0.0, 0.0)),
-        conf.line(Difference, (-3.25 + 1.6, 1.0 + 1.2), (-0.7 + 1.6, -2.4 + 1.2)).is_some_and(dotted),
-        f.says("pushed out"),
         f.texts.iter().filter(|(t, _)| t == "$d = 2$").count() == 2,
         f.says(r"$B \ominus A$") && f.says("$O$"),
         conf.line(Muted, (0.0, 0.0), foot).is_some(),
-        f.says("$3.2$, longer"),
-        conf.text_near("$(6.5, 5.5)$", (6.5, 5.5), 60.0),
+        f.says("$2.93$, longer"),
     ];
 }
 

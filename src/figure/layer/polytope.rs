@@ -3,8 +3,8 @@
 //! splits the edge. Of the last one nₑ is −n: n is the normal from A to B, along which B is pushed out.
 //!
 //! The dashed line is the supporting line of B ⊖ A along nₑ: nothing of B ⊖ A is beyond it. At the last step
-//! it is the line of the nearest edge itself, so that no way out is shorter, and the search stops. Of rounded
-//! bodies it looks at the cores alone.
+//! it would be the line of the nearest edge itself, so that no way out is shorter, and the search stops. Of
+//! rounded bodies it looks at the cores alone.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
@@ -168,7 +168,6 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
     let wash = step.added.is_none().then(|| Wash::faint(role, FILL.0));
     sketch.part("polytope").area(&outline, wash, Some(Pen::vector(role)));
     let foot = step.normal * step.distance;
-    supporting_line(sketch, step, foot);
     sketch.part("nearest").line(step.edge[0], step.edge[1], Pen::highlighted(role).width(4.0));
     let coordinated = options.flag("coordinates", false);
     for &vertex in &step.vertices {
@@ -198,7 +197,7 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
         if rounded { format!(" - {}", radii_in_words(context).replace(" + ", " - ")) } else { String::new() };
     // Before the last step it is only a bound of the depth.
     let d = match step.beyond {
-        Some(_) => format!("at least ${}$", number(step.distance)),
+        Some(_) => format!(r"$d{left} \ge {}$", number(step.distance)),
         None => format!("$d{left} = {}$", number(step.distance)),
     };
     sketch.label(Label::new("d", d, beside, Role::Translation));
@@ -207,6 +206,7 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
     sketch.part("direction").arrow(foot, tip, Pen::vector(Role::Ink));
     sketch.label(Label::new("n", "$n_e$", Anchor::tip(foot, tip), Role::Ink));
     if let Some(w) = step.beyond {
+        supporting_line(sketch, (step.normal, foot), w);
         sketch.part("next").marker(w, Marker::HollowDiamond, role, MARKER);
         sketch.label(Label::new("w", "$w$", Anchor::point(w), role).rank(Rank::Point));
     } else {
@@ -218,23 +218,14 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
     }
 }
 
-/// Draws the line through w square to the normal, past w and past the normal's line; through the nearest edge
-/// itself where no vertex is beyond.
-fn supporting_line(sketch: &mut Sketch, step: &Step, foot: DVec2) {
-    let along = perp(step.normal);
+/// Draws the line through w square to the normal, past w and past the normal's line.
+fn supporting_line(sketch: &mut Sketch, (normal, foot): (DVec2, DVec2), w: DVec2) {
+    let along = perp(normal);
     let past = sketch.px(PAST);
-    let pen = Pen::construction();
+    let to = along.dot(foot - w);
+    let (lo, hi) = (to.min(0.0) - past, to.max(0.0) + past);
     sketch.part("supporting-line").weight(Weight::Light);
-    let Some(w) = step.beyond else {
-        let [p, q] = step.edge;
-        let out = (q - p).normalize_or_zero() * past;
-        sketch.line(p, p - out, pen).line(q, q + out, pen);
-        return;
-    };
-    let onto = |p: DVec2| along.dot(p - w);
-    let of = [0.0, onto(foot)];
-    let (lo, hi) = (of[0].min(of[1]) - past, of[0].max(of[1]) + past);
-    sketch.line(w + along * lo, w + along * hi, pen);
+    sketch.line(w + along * lo, w + along * hi, Pen::construction());
 }
 
 #[cfg(test)]
@@ -297,7 +288,7 @@ mod tests {
             assert!((drawn - labels["d"].1).abs() < 0.005, "step {k}: {drawn} is not {:?}", labels["d"]);
             assert_eq!(labels.contains_key("stop"), k == steps, "step {k}");
             assert_eq!(labels.contains_key("w"), k < steps, "step {k}");
-            assert_eq!(labels["d"].0.starts_with("at least"), k < steps, "only the last one is the depth");
+            assert_eq!(labels["d"].0.contains(r"\ge"), k < steps, "only the last one is the depth");
             assert_eq!(paths(&figure.drawing.items, "vertices").len(), k + 2);
         }
     }
