@@ -29,7 +29,7 @@ fn dotted(path: &Path) -> bool {
 #[test]
 fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
     let f = figure("04-minkowski-difference");
-    let view = [-4.9, -5.5, 6.0, 4.6];
+    let view = [-4.75, -4.85, 5.05, 4.75];
     let triangle = |x: f64, y: f64| [(x - 1.0, y - 1.0), (x + 1.9, y - 0.6), (x + 0.2, y + 1.2)];
     let a = [(-1.0, 1.0), (-2.0, -1.0), (1.0, -3.0), (3.0, -2.0)];
     let world = look(&f, 0, view);
@@ -40,9 +40,6 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
         world.marker(B, (2.0, 3.0)),
         world.line(Translation, (1.0, 2.0), (-0.2, 0.4)).is_some(),
         f.says("$b$"),
-        // The way from a vertex of A to one of B, backwards from b, and from the origin.
-        world.arrow_toward(Difference, (3.0, -2.0), (1.0, 2.0)),
-        f.says("$p =$ $(3, -2)$") && f.says("$q - p$") && f.says("$q - p =$ $(-2, 4)$") && f.says("$p - q$"),
     ];
     let grown = look(&f, 1, view);
     // Each vertex of A less a vertex of B seen from b, whichever is farther out.
@@ -59,12 +56,10 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
         grown.polygon(B, &triangle(2.0, 3.0)).is_some_and(dotted),
         grown.marker(B, (2.0, 3.0)),
         grown.line(Translation, (2.0, 3.0), (0.8, 1.4)).is_some(),
-        grown.marker(A, (3.0, -2.0)),
-        // Moved by p - q, b lies on a vertex.
-        [(-3.4, 0.6), (-0.7, -3.2), (1.8, -3.7)].into_iter().all(around),
-        around((4.0, -1.0)) && grown.arrow_toward(Difference, (2.0, 3.0), (4.0, -1.0)),
+        [(-3.4, 0.6), (-0.7, -3.2)].into_iter().all(around),
+        f.says("grown $A$"),
     ];
-    let conf = look(&f, 2, [-4.25, -1.75, 6.65, 8.35]);
+    let conf = look(&f, 2, [-3.1, -1.6, 6.7, 8.0]);
     edges_wear_their_source(
         &conf,
         &[

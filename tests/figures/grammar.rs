@@ -89,6 +89,7 @@ fn broken(items: &[Item], origins: &[Point]) -> Vec<String> {
                 "pushed to",
                 "turned",
                 "moved around",
+                "$ moved",
                 "moved:",
                 "vertex moved",
                 "before the turn",

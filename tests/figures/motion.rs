@@ -104,44 +104,40 @@ fn figure_6_steps_from_the_estimate_to_the_tangent_and_starts_again_there() {
 #[test]
 fn figure_7_adds_up_the_fastest_approach_and_shows_what_is_left_at_the_bound() {
     let f = figure("07-conservative-bound");
-    let view = [-6.2, -3.1, 6.2, 3.5];
-    let after = [-6.4, -2.45, 6.0, 4.15];
-    let (w, then) = (look(&f, 0, view), look(&f, 1, after));
-    let shape_a = [(1.0, -1.6), (1.0, 1.4), (-0.4, 2.2), (-2.2, 1.0), (-1.8, -2.4)];
-    let shape_b = [(-2.0, 0.3), (-1.0, -1.7), (2.0, -1.5), (1.9, 0.9), (0.0, 1.8)];
+    let [w, then, at_last] = [0, 1, 2].map(|k| look(&f, k, [-3.0, -5.5, 3.8, 6.3]));
+    let shape_a = [(1.6, 1.0), (-1.4, 1.0), (-2.2, -0.4), (-1.0, -2.2), (2.4, -1.8)];
+    let shape_b = [(-0.3, -2.0), (1.7, -1.0), (1.5, 2.0), (-0.9, 1.9), (-1.8, 0.0)];
     let turned = |(c, s): P| move |(x, y): P| (c * x - s * y, s * x + c * y);
-    // cos and sin of 0.5 · 0.5, of -0.5, and of both angles at the hit, t = 0.829970980547.
-    let t = 0.829_970_980_547;
-    let [a, a_hit] = [(0.968_912_421_711, 0.247_403_959_255), (0.915_122_170_574, 0.403_176_652_256)]
+    // cos and sin of 0.5 · 0.4, of -0.4, and of both angles at the hit, t = 0.687707841908.
+    let t = 0.687_707_841_908;
+    let [a, a_hit] = [(0.980_066_577_841, 0.198_669_330_795), (0.941_462_434_597, 0.337_117_908_517)]
         .map(|angle| shape_a.map(turned(angle)));
-    let [b, b_hit] = [(0.877_582_561_890, -0.479_425_538_604), (0.674_897_174_152, -0.737_911_786_274)]
+    let [b, b_hit] = [(0.921_060_994_003, -0.389_418_342_309), (0.772_703_031_515, -0.634_767_693_797)]
         .map(|angle| shape_b.map(turned(angle)));
-    // A's vertex (1, -1.6) then.
-    let contact = (-0.529_853_224_722, 0.598_923_140_432);
+    // B's vertex (1.7, -1) then, on A's edge of d.
+    let contact = (1.222_681_380_732, -0.114_931_636_692);
     shows![
-        w.polygon(A, &moved(shape_a, (-3.75, 0.0))).is_some_and(|p| p.fill.is_some()),
-        w.polygon(B, &moved(shape_b, (3.75, -0.6))).is_some_and(|p| p.fill.is_some()),
-        w.along(Translation, (-2.75, -0.3), (1.75, -0.3)),
+        w.polygon(A, &moved(shape_a, (-0.5, -2.8))).is_some_and(|p| p.fill.is_some()),
+        w.polygon(B, &moved(shape_b, (0.2, 3.8))).is_some_and(|p| p.fill.is_some()),
+        w.along(Translation, (-0.1, -1.8), (-0.1, 1.8)),
         // On the longer part of the edge, beside d.
-        w.arrow(Ink, (-2.75, 0.55), (-1.75, 0.55)),
-        w.arrow(Ink, (-3.75, 0.0), (-1.75, 2.0)),
-        w.arrow(Ink, (3.75, -0.6), (0.75, 0.9)),
-        w.round((-3.75, 0.0), 0.7) && w.round((3.75, -0.6), 0.7),
-        then.polygon(A, &moved(a, (-2.75, 1.0))).is_some_and(|p| p.fill.is_some()),
-        then.polygon(B, &moved(b, (2.25, 0.15))).is_some_and(|p| p.fill.is_some()),
+        w.arrow(Ink, (-1.0, -1.8), (-1.0, -0.8)),
+        w.arrow(Ink, (-0.5, -2.8), (1.0, -0.8)),
+        w.arrow(Ink, (0.2, 3.8), (0.7, 0.8)),
+        w.round((-0.5, -2.8), 0.7) && w.round((0.2, 3.8), 0.7),
+        then.polygon(A, &moved(a, (0.1, -2.0))).is_some_and(|p| p.fill.is_some()),
+        then.polygon(B, &moved(b, (0.4, 2.6))).is_some_and(|p| p.fill.is_some()),
         // From A's vertex to the foot on B's edge.
-        then.along(Translation, (-1.385_241_243, -0.302_855_915), (0.575_153_172, -0.374_152_349)),
-        then.polygon(A, &moved(a_hit, (-3.75 + 2.0 * t, 2.0 * t))).is_some_and(dashed),
-        then.polygon(B, &moved(b_hit, (3.75 - 3.0 * t, 1.5 * t - 0.6))).is_some_and(dashed),
-        then.marker(Ink, contact),
-        f.says("$d = 4.5$"),
+        then.along(Translation, (1.469_437_194, -0.702_062_493), (1.360_755_475, 1.003_184_936)),
+        at_last.polygon(A, &moved(a_hit, (1.5 * t - 0.5, 2.0 * t - 2.8))).is_some_and(dashed),
+        at_last.polygon(B, &moved(b_hit, (0.5 * t + 0.2, 3.8 - 3.0 * t))).is_some_and(dashed),
+        at_last.marker(Ink, contact),
+        f.says("$d = 3.6$"),
         f.says("$x_1$, $x_2$") && f.says("$r_A = 3$") && f.says("$r_B = 2.5$"),
         f.says(r"$\omega_A = 0.5$") && f.says(r"$\omega_B = -1$"),
-        // v·n = (5, 0.5)·(1, 0), 3 · 0.5 and 2.5 · 1; 4.5 / 9 = 0.5, and what is left then.
-        f.says(r"$v \cdot n = 5$"),
-        f.says(r"$r_A|\omega_A| = 1.5$") && f.says(r"$r_B|\omega_B| = 2.5$") && f.says("$9$"),
-        f.says("$0.5$") && f.says("$0.830$") && f.says("$t = 0.830$"),
-        f.texts.iter().filter(|(t, _)| t.replace('$', "") == "1.96 left").count() == 2,
+        // 5 + 3 · 0.5 + 2.5 · 1 = 9, (1, 5)·(0, 1) of it by moving; 3.6 / 9 = 0.4, and what is left then.
+        f.texts.iter().any(|(t, _)| t.contains(r"$(v_A - v_B) \cdot n = 5$") && t.contains("4 together")),
+        f.texts.iter().filter(|(t, _)| t.replace('$', "") == "1.71 left").count() == 1,
     ];
 }
 

@@ -8,11 +8,12 @@ use std::f64::consts::PI;
 use crate::collision::Separation;
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{Anchor, Label, Outline, Pen, Rank, Size, Sketch, Weight, angle_of};
+use crate::figure::sketch::{Anchor, Label, Outline, Pen, Rank, Size, Sketch, Wash, Weight, angle_of};
 use crate::geometry::{DVec2, Side, perp};
 
-/// Opacity of the disc's line; its area has no tint, which would be a third one over the overlap's.
+/// Opacity of the disc's line, and of its area, through which the colours of both bodies are still seen.
 const DISC: f64 = 0.7;
+const TINT: f64 = 0.12;
 
 /// By what part of its radius the disc may leave the body: a rounding, or the chord of an arc; less than is
 /// seen.
@@ -39,7 +40,7 @@ pub(super) fn disc(sketch: &mut Sketch, context: &Context, time: f64, answer: &S
     let (role, pen) = (Role::Translation, Pen::dimension(Role::Translation).opacity(DISC));
     sketch.part("disc").weight(Weight::Background);
     let area = Outline::circle(center, depth);
-    sketch.area(&area, None, Some(pen));
+    sketch.area(&area, Some(Wash::faint(role, TINT)), Some(pen));
     // In the half that the push, an arrow from B's deepest point to A's, does not lie in.
     let away = if side == Side::A { -*answer.normal } else { *answer.normal };
     let half = Outline::sector(center, depth, angle_of(-perp(away)), PI);

@@ -125,7 +125,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(last) = all.last() else { return };
     let until = if context.hit_time().is_some() && last.time > 0.0 { last.time } else { 1.0 };
     let times: Vec<f64> = all.iter().take(MOST).map(|step| step.time).collect();
-    let points = separations(context, until, &times);
+    let points = kinks::kept(context, &separations(context, until, &times));
     let highest = points.iter().map(|p| p.y).fold(all[0].separation, f64::max);
     let values = options.flag("values", false);
     let [left, right, below, above] = ROOM;

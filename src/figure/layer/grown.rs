@@ -10,7 +10,7 @@ use crate::figure::difference::{Difference, Edge};
 use crate::figure::sketch::{
     Anchor, LARGE_MARKER, Label, MARKER, Marker, Outline, Pen, Piece, Rank, Size, Sketch, Wash, Weight,
 };
-use crate::geometry::{DVec2, Side, sort_by};
+use crate::geometry::{DVec2, Side};
 
 use super::closest::{Nearest, leg, nearest};
 use super::difference::{difference, draw_edge};
@@ -19,7 +19,7 @@ use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 /// Opacity of the copies of B around A, and how many there are at most: A is under them.
 const COPY: f64 = 0.7;
-const COPIES: usize = 3;
+const COPIES: usize = 2;
 
 pub(super) const LAYER: Layer = Layer {
     name: "grown",
@@ -48,6 +48,7 @@ pub(super) const LAYER: Layer = Layer {
     ],
     labels: &[
         LabelKey { key: "A", about: "name of the first body" },
+        LabelKey { key: "grown", about: "the grown A; only where a scene gives it a text" },
         LabelKey { key: "b", about: "the point that B shrinks to" },
         LabelKey { key: "copy", about: "what the dotted copies are" },
         LabelKey { key: "d", about: "distance or depth, with distance" },
@@ -98,11 +99,21 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.since(None).part("b").marker(b, Marker::Square, Role::B, LARGE_MARKER);
     let inside = Anchor::inside(&outline_a);
     sketch.label(Label::new("A", context.name(Side::A), inside, Role::A).rank(Rank::Name).size(Size::Name));
+    name_grown(sketch, &grown, b);
     let name = || format!("origin of {}", context.named(Side::B).primed(0));
     sketch.label(
         Label::new("b", letter_of_b(context).unwrap_or_else(name), Anchor::point(b), Role::B)
             .rank(Rank::Point),
     );
+}
+
+/// Names the grown A, if the scene does, where its outline is farthest from B's point `b`: there is room.
+fn name_grown(sketch: &mut Sketch, grown: &Outline, b: DVec2) {
+    let far = |p: &&DVec2, q: &&DVec2| p.distance(b).total_cmp(&q.distance(b));
+    let outline = grown.sampled();
+    let Some(&at) = outline.iter().max_by(far) else { return };
+    let anchor = Anchor::point_toward(at, at - b);
+    sketch.label(Label::new("grown", "", anchor, Role::Difference).rank(Rank::Word).size(Size::Note));
 }
 
 /// Draws B turned about its point `b`, with that at every vertex of A: what A is grown by.
@@ -163,10 +174,9 @@ fn around(
         !pieces().any(|(&p, &q)| taken.iter().any(|&line| cross((p, q), line)))
     };
     let free: Vec<DVec2> = middles.iter().copied().filter(clear).collect();
-    let mut places = if free.is_empty() { middles } else { free };
-    // Those that are far from B itself, and no more than leave A to be seen.
-    sort_by(&mut places, |p, q| q.distance(b).total_cmp(&p.distance(b)));
-    places.truncate(COPIES);
+    let places = if free.is_empty() { middles } else { free };
+    // Those that are far from B itself and from each other, and no more than leave A to be seen.
+    let places = spread(places, b);
     sketch.part("copies").weight(Weight::Light);
     for &place in &places {
         sketch.area(&outline_b.moved(place - b), None, Some(Pen::ghost(Role::B).opacity(COPY)));
@@ -177,6 +187,17 @@ fn around(
         sketch.label(label.rank(Rank::Word).size(Size::Note));
     }
     places
+}
+
+/// Some of the places, each as far as can be from `b` and from those before it.
+fn spread(places: Vec<DVec2>, b: DVec2) -> Vec<DVec2> {
+    let mut taken = vec![b];
+    for _ in 0..COPIES.min(places.len()) {
+        let room = |p: &DVec2| taken.iter().map(|q| q.distance(*p)).fold(f64::INFINITY, f64::min);
+        let widest = places.iter().copied().max_by(|p, q| room(p).total_cmp(&room(q)));
+        taken.extend(widest);
+    }
+    taken.split_off(1)
 }
 
 /// Whether two straight pieces cross, each with both ends off the other's line.

@@ -5,7 +5,7 @@ use crate::collision::{Pair, Separation};
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, Marker, Rank, SMALL_MARKER, Size, Sketch, Weight};
-use crate::geometry::{DVec2, Feature, Side};
+use crate::geometry::{DVec2, Feature, Side, sort_by};
 
 use super::chart::Chart;
 
@@ -47,6 +47,15 @@ pub(super) fn mark(
     let lines = lines.map(str::to_owned).to_vec();
     let label = Label { lines, ..Label::new("kink", "", anchor, Role::Ink) };
     sketch.label(label.rank(Rank::Word).size(Size::Note));
+}
+
+/// The samples of a curve of separations over time with its kinks among them, which a line from sample to
+/// sample would cut off.
+pub(super) fn kept(context: &Context, points: &[DVec2]) -> Vec<DVec2> {
+    let mut kept: Vec<DVec2> =
+        points.iter().copied().chain(turns(context, points).into_iter().map(|(at, _)| at)).collect();
+    sort_by(&mut kept, |p, q| p.x.total_cmp(&q.x));
+    kept
 }
 
 /// The kinks of a curve of separations over time, sampled at `points`: each as its time and separation, and
