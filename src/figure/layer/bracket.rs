@@ -35,8 +35,8 @@ const EARLIER: (f64, f64, f64) = (9.0, 3.5, 0.4);
 const MOST_EARLIER: usize = 5;
 /// Half the height of the mark where both ends meet, page pixels.
 const MET: f64 = 8.0;
-/// How far outward an end's number is wished, in parts of how far below.
-const ASIDE: f64 = 0.25;
+/// How far outward an end's number is wished, in parts of how far below: both fit where the ends are near.
+const ASIDE: f64 = 1.0;
 /// The share of the distance at which both ends count as met: they are rounded a few times.
 const CLOSED: f64 = 1e-9;
 

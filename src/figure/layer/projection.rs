@@ -33,9 +33,6 @@ const TRACK: f64 = 6.0;
 /// Distance of the measure from the axis, page pixels: below the intervals.
 const MEASURE: f64 = 48.0;
 
-/// How far off the end of a shadow a point may be that casts it, page pixels: unseen.
-const SAME: f64 = 0.5;
-
 /// How far the axis reaches past the intervals, page pixels, so that its arrow head stands free.
 const PAST: f64 = 22.0;
 
@@ -175,9 +172,8 @@ fn draw_axis(sketch: &mut Sketch, (context, options): (&Context, &Options), t: &
     let at = |along: f64, track: f64| t.n * along + down * (far + track);
     let joined = t.gap > 0.0 && options.flag("joined", false);
     let [track, low] = if joined { [0.0; 2] } else { [TRACK, MEASURE].map(|px| sketch.px(px)) };
-    // Joined, the strip reaches as far as what it lies between; else the light falls from beyond both.
-    let within = if joined { sketch.px(SAME) } else { f64::INFINITY };
-    let top = -far - highest(&points, t.n, [t.a.hi, t.b.lo], (within, down));
+    // The strip passes between the bodies from beyond both, as light does that falls there.
+    let top = -far - highest(&points, down);
     // What lies in both shadows is marked at them alone: light that would fall there is stopped.
     lit(sketch, [t.a.hi, t.b.lo], [low, if t.gap > 0.0 { top } else { -track }], at);
     let past = sketch.px(PAST);

@@ -11,7 +11,7 @@ use crate::trace::Event;
 
 use crate::scene::COMPASS;
 
-use super::half_extents::{GUIDE, beside};
+use super::half_extents::GUIDE;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of, part};
 
 /// Opacity of what both radii have of the line of centres.
@@ -239,14 +239,8 @@ fn lengths(sketch: &mut Sketch, context: &Context) {
         let out = down * (radii[0].max(radii[1]) + sketch.px(TRACK * (number_of(i) + FIRST)));
         let [p, q] = length.ends.map(|end| end + out);
         sketch.part("lengths").bar(p, q, 0.0, length.weight);
-        // Between the lines that come down to the radii is no room for the words of the first, and between
-        // the radii none beside what they share.
-        let anchor = match i {
-            0 => Anchor::tip(p, q),
-            1 => beside(p, q, -down),
-            _ => beside(p, q, down),
-        };
-        sketch.label(Label::new(length.key, length.text.clone(), anchor, length.role));
+        // Between the lines that come down is no room for words, and between the radii is what they share.
+        sketch.label(Label::new(length.key, length.text.clone(), Anchor::tip(p, q), length.role));
     }
     let last = |point: DVec2| {
         tracks.iter().rposition(|l| {
@@ -256,15 +250,13 @@ fn lengths(sketch: &mut Sketch, context: &Context) {
     for point in [centers[0], centers[1], answer.points[0], answer.points[1]] {
         let deepest = last(point).unwrap_or(tracks.len() - 1);
         let out = down * (radii[0].max(radii[1]) + sketch.px(TRACK * (number_of(deepest) + FIRST)));
-        // Those of the centres begin below both discs, through which no line need run; the ends of what is
-        // shared are tied to it.
+        // Below both discs, through which no line need run.
         let rim = |center: DVec2, radius: f64| {
             let beside = (point - center).dot(*n);
             (radius * radius - beside * beside).max(0.0).sqrt()
         };
         let below = centers.iter().zip(radii).map(|(&center, radius)| rim(center, radius));
-        let shared = answer.bounds.hi < 0.0 && answer.points.contains(&point);
-        let start = if shared { 0.0 } else { below.fold(0.0, f64::max) };
+        let start = below.fold(0.0, f64::max);
         sketch.part("lengths").weight(Weight::Light).line(
             point + down * start,
             point + out,

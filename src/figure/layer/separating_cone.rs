@@ -44,13 +44,13 @@ const LIT: f64 = 0.11;
 const PAST: f64 = 30.0;
 
 /// How far a tangent reaches back through O, page pixels: the right angle is marked there, outside the cone.
-const BACK: f64 = 40.0;
+const BACK: f64 = 30.0;
 
 /// How far beside what touches B ⊖ A the gap is measured, page pixels.
 const ASIDE: f64 = 30.0;
 
 /// Edge of the square that marks a right angle, page pixels: clear of O's ring.
-const SQUARE: f64 = 20.0;
+const SQUARE: f64 = 15.0;
 
 /// How much nearer one of two points must be to count as nearer, page pixels: level ones don't change sides.
 const LEVEL: f64 = 1.0;
@@ -71,7 +71,7 @@ const READABLE: [f64; 2] = [24.0, 96.0];
 /// The keys of the names of each tangent and of the end of the cone square to it, the left tangent first.
 const NAMES: [[&str; 2]; 2] = [["t_1", "n_1"], ["t_2", "n_2"]];
 
-/// The colour of the ends of the cone; the tangents that they are square to are construction.
+/// The colour of the ends of the cone and of the tangents that they are square to: with these they turn.
 const TURNED: Role = Role::Now;
 
 /// Width of a tangent and of the line square to n, page pixels: less than that of an end of the cone.
@@ -201,18 +201,13 @@ fn fan(sketch: &mut Sketch, cone: &Cone, origin: DVec2, (role, names): (Role, bo
     for ((tangent, edge, touching), keys) in ends.into_iter().zip(NAMES) {
         let (back, beyond) = (on_circle(origin, behind, tangent + PI), on_circle(touching, past, tangent));
         let of_cone = on_circle(origin, radius, edge);
-        sketch.part("tangent").weight(Weight::Light).line(
-            back,
-            beyond,
-            Pen::vector(Role::Muted).width(TANGENT),
-        );
+        sketch.part("tangent").weight(Weight::Light).line(back, beyond, Pen::vector(TURNED).width(TANGENT));
         sketch.part("cone-edge").arrow(origin, of_cone, Pen::highlighted(TURNED));
         right_angle(sketch, origin, [tangent + PI, edge]);
         sketch.part("touching").marker(touching, Marker::Diamond, Role::Difference, MARKER);
         if names {
-            let roles = [Role::Muted, TURNED];
-            for ((key, tip), role) in keys.into_iter().zip([beyond, of_cone]).zip(roles) {
-                sketch.label(Label::new(key, format!("${key}$"), Anchor::tip(origin, tip), role));
+            for (key, tip) in keys.into_iter().zip([beyond, of_cone]) {
+                sketch.label(Label::new(key, format!("${key}$"), Anchor::tip(origin, tip), TURNED));
             }
         }
     }
@@ -347,7 +342,7 @@ mod tests {
     }
 
     #[test]
-    fn the_line_and_the_cone_can_be_shown_apart_and_its_ends_alone_have_a_colour() {
+    fn the_line_and_the_cone_can_be_shown_apart_and_its_ends_have_the_colour_of_their_tangents() {
         let cases = [("", [1, 1]), (", show = ['line']", [1, 0]), (", show = ['cone']", [0, 1])];
         for (show, [line, cone]) in cases {
             let text = format!(
@@ -369,7 +364,7 @@ mod tests {
             };
             assert_eq!(roles("square-line").len(), line, "{show}");
             assert_eq!(paths(&figure.drawing.items, "lit").len(), usize::from(line > cone), "{show}");
-            assert_eq!(roles("tangent"), vec![Some(Role::Muted); 2 * cone], "{show}");
+            assert_eq!(roles("tangent"), vec![Some(TURNED); 2 * cone], "{show}");
             assert_eq!(roles("cone-edge"), vec![Some(TURNED); 2 * cone], "{show}");
         }
     }

@@ -43,10 +43,9 @@ pub(super) fn guide(
     }
 }
 
-/// How far against `down` the points reach that cast one of two ends, or are no farther `within` from it.
-pub(super) fn highest(points: &[DVec2], n: DVec2, ends: [f64; 2], (within, down): (f64, DVec2)) -> f64 {
-    let casts = |p: &&DVec2| ends.iter().any(|end| (p.dot(n) - end).abs() <= within);
-    points.iter().filter(casts).map(|p| -p.dot(down)).fold(f64::NEG_INFINITY, f64::max)
+/// How far against `down` the points reach.
+pub(super) fn highest(points: &[DVec2], down: DVec2) -> f64 {
+    points.iter().map(|p| -p.dot(down)).fold(f64::NEG_INFINITY, f64::max)
 }
 
 /// The point of the bodies whose shadow is nearest to the end of an interval; of several the one nearest to

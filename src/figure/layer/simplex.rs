@@ -21,12 +21,11 @@ use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, numb
 /// Opacity of a simplex's fill: it lies on the difference, which is filled too.
 const FILL: f64 = 0.12;
 
-/// How far beside v the direction of the search is drawn, page pixels: clear of both heads.
-const BESIDE: f64 = 16.0;
-/// Length of that arrow at most, page pixels: it has a direction only, and must not be taken for v.
-const SEARCH: f64 = 26.0;
-/// Length of that arrow at least, page pixels: its head and as much again.
-const SHORTEST: f64 = 14.0;
+/// Length of the arrow of the search, page pixels: it has a direction only, and is seen beyond O's ring.
+const SEARCH: f64 = 40.0;
+/// How far from O the supporting line must be for its right angle to be marked on O's side, page pixels: clear
+/// of O's ring.
+const CLEAR: f64 = 30.0;
 /// How far beside v its distance from the origin is measured, page pixels: clear of v's head.
 const LEAST: f64 = 16.0;
 /// How far a supporting line reaches past what it supports, page pixels.
@@ -240,8 +239,9 @@ fn beyond(sketch: &mut Sketch, context: &Context, v: DVec2, radius: f64) {
     sketch.label(Label::new("r", text, anchor, Role::Difference).size(Size::Note));
 }
 
-/// Draws the direction −v beside v, and the supporting line square to it through the vertex that is farthest
-/// that way: nothing of B ⊖ A lies beyond. It passes through v itself where the search ends.
+/// Draws the direction −v from the origin, where v begins, and the supporting line square to it through the
+/// vertex that is farthest that way: nothing of B ⊖ A lies beyond. It passes through v itself where the search
+/// ends.
 fn search(
     sketch: &mut Sketch,
     v: DVec2,
@@ -253,15 +253,9 @@ fn search(
     let (foot, across) = (u * w.dot(u), perp(u));
     // Where the search ends, w is v, on neither side: rounding must not choose.
     let side = if w.dot(across) < -ON_LINE * v.length() { -across } else { across };
-    let beside = side * sketch.px(BESIDE);
-    let reach = sketch.px(SEARCH).min(0.5 * v.length());
-    let (from, tip) = (v + beside, v + beside - u * reach);
-    // Where v is as short as that, a direction beside it would be a dot.
-    if sketch.on_page(reach) >= SHORTEST {
-        sketch.part("search").arrow(from, tip, Pen::vector(Role::Ink));
-        let along = Label::new("search", "along $-v$", Anchor::point_toward(tip, side - u), Role::Ink);
-        sketch.label(along.rank(Rank::Word).size(Size::Note));
-    }
+    let tip = -u * sketch.px(SEARCH);
+    sketch.part("search").arrow(DVec2::ZERO, tip, Pen::vector(Role::Ink));
+    sketch.label(Label::new("search", "$-v$", Anchor::tip(DVec2::ZERO, tip), Role::Ink));
     // Beyond the simplex too, whose edge the line lies on where the search ends.
     let supported = vertices.iter().filter(|p| (**p - w).dot(u).abs() <= ON_LINE * v.length());
     let reached = supported.chain([&w, &foot]).map(|p| p.dot(side));
@@ -269,7 +263,8 @@ fn search(
     let past = sketch.px(PAST);
     let (begin, end) = (foot + side * (lo - past), foot + side * (hi + past));
     sketch.part("supporting-line").weight(Weight::Light).line(begin, end, Pen::construction());
-    sketch.part("right-angle").right_angle(foot, -side * past, -u * past);
+    let near = sketch.on_page(foot.length()) < CLEAR;
+    sketch.part("right-angle").right_angle(foot, -side * past, if near { u } else { -u } * past);
     if next.is_some() && vertices.len() == 2 {
         sketch.part("right-angle").right_angle(v, -side * past, -u * past);
     }
