@@ -122,6 +122,11 @@ struct Place {
 }
 
 impl Place {
+    /// The track that a coordinate across the axis is on, as a part of the way to the first.
+    fn track(&self, across: f64) -> f64 {
+        (across - self.edge) / self.step
+    }
+
     /// The point of a track at a coordinate.
     fn point(&self, along: f64, track: f64) -> DVec2 {
         let across = self.edge + self.step * track;
@@ -188,12 +193,17 @@ fn axis(
     let guide = Pen::extension().opacity(GUIDE);
     // The edges that face each other are those of the strip, if there is one.
     let guided = if is_lit { 1 } else { 2 };
-    for (body, starts) in across.iter().enumerate() {
-        for (along, &start) in [e.centers[body], facing[body]].into_iter().zip(starts).take(guided) {
+    for body in [0, 1] {
+        for along in [e.centers[body], facing[body]].into_iter().take(guided) {
             let reach = |b: &&Bar| b.ends.contains(&along);
             let last = bars.iter().filter(reach).map(|b| b.track).fold(1.0, f64::max);
-            let from = if e.name == 'x' { DVec2::new(along, start) } else { DVec2::new(start, along) };
-            sketch.part(&part).weight(Weight::Light).line(from, place.point(along, last), guide);
+            let other = 1 - body;
+            let is_hidden = (along - e.centers[other]).abs() < e.half[other];
+            let hidden = is_hidden.then(|| across[other].map(|x| place.track(x)));
+            for [from, to] in beside_body([place.track(across[body][1]), last], hidden) {
+                let [from, to] = [from, to].map(|track| place.point(along, track));
+                sketch.part(&part).weight(Weight::Light).line(from, to, guide);
+            }
         }
     }
     // What is shared lies under the bars that share it.
@@ -217,9 +227,17 @@ fn axis(
     }
 }
 
+/// The parts of a guide between two tracks that do not lie on a body, of which the tracks of the centre and of
+/// the edge towards the tracks are given: a hairline on it would look like a part of it.
+fn beside_body([from, to]: [f64; 2], body: Option<[f64; 2]>) -> Vec<[f64; 2]> {
+    let Some([center, edge]) = body else { return vec![[from, to]] };
+    let far = 2.0 * center - edge;
+    [[from, far.min(to)], [edge.max(from), to]].into_iter().filter(|[from, to]| from < to).collect()
+}
+
 /// Draws the strip between the edges that face each other, from the tracks to the far edge of the boxes.
 fn strip(sketch: &mut Sketch, (facing, role): ([f64; 2], Role), place: &Place, across: [[f64; 2]; 2]) {
-    let far = across.map(|[center, edge]| (2.0 * center - edge - place.edge) / place.step);
+    let far = across.map(|[center, edge]| place.track(2.0 * center - edge));
     let far = far[0].min(far[1]);
     let ends = [(facing[0], 1.0), (facing[1], 1.0), (facing[1], far), (facing[0], far)];
     let strip = Outline::polygon(&ends.map(|(along, track)| place.point(along, track)));

@@ -17,7 +17,7 @@ use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, numb
 const REJECTED: f64 = 0.55;
 
 /// How far the edge before is drawn on, page pixels.
-const AHEAD: f64 = 90.0;
+const AHEAD: f64 = 76.0;
 
 /// Radius of the arc of the smaller turn, page pixels; that of the other one is less.
 const TURN: f64 = 60.0;
