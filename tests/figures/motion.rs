@@ -36,7 +36,7 @@ fn figure_5_moves_both_bodies_in_the_world_and_the_origin_alone_along_the_ray() 
         f.says("$A$ at $t = 0.75$") && f.says("$B$ at $t = 0.75$"),
         f.says("$v_A$ $= (6, -1)$") && f.says("$v_B$ $= (2, -6)$"),
     ];
-    let conf = look(&f, 1, [-1.9, -1.9, 11.1, 9.8]);
+    let conf = look(&f, 1, [-1.8, -1.7, 11.2, 10.0]);
     let edges = [
         ((2.0, 4.25), B),
         ((6.0, 2.25), A),
@@ -56,9 +56,6 @@ fn figure_5_moves_both_bodies_in_the_world_and_the_origin_alone_along_the_ray() 
         conf.marker(Ink, (0.0, 0.0)),
         conf.line(Now, (0.0, 0.0), (3.0, 3.75)).is_some(),
         conf.arrow(Ink, (0.0, 0.0), (4.0, 5.0)),
-        conf.arrow(A, (0.0, 0.0), (6.0, -1.0)),
-        conf.arrow(B, (6.0, -1.0), (4.0, 5.0)),
-        f.says("$-v_B$ $= (-2, 6)$"),
         conf.marker(Now, (3.0, 3.75)),
         f.says("$t = 0$") && f.says("$t = 1$"),
         f.says("$v$ $= (4, 5)$"),
@@ -69,8 +66,8 @@ fn figure_5_moves_both_bodies_in_the_world_and_the_origin_alone_along_the_ray() 
 #[test]
 fn figure_6_steps_from_the_estimate_to_the_tangent_and_starts_again_there() {
     let f = figure("06-advancement");
-    let one = look(&f, 0, [-0.9, -1.0, 8.35, 5.35]);
-    let two = look(&f, 1, [3.5, -0.8, 8.2, 2.48]);
+    let one = look(&f, 0, [-0.9, -0.8, 8.35, 5.1]);
+    let two = look(&f, 1, [3.45, -0.6, 8.2, 2.43]);
     for panel in [&one, &two] {
         shows![panel.circle(Difference, (8.0, 6.0), 6.25).is_some(), panel.head(Ink, (7.5, 0.0))];
         shows![panel.marker(Now, (6.25, 0.0))];
@@ -94,7 +91,7 @@ fn figure_6_steps_from_the_estimate_to_the_tangent_and_starts_again_there() {
             && two.text_near("$t = 0.625$", (4.6875, 0.0), 60.0),
         two.text_near("$t = 0.792$", (5.936_490, 0.0), 60.0),
         f.says("closest point") && f.says("tangent"),
-        f.says("$n$"),
+        f.says("$n = (0.8, 0.6)$") && f.says("$n = (0.483, 0.875)$"),
         f.says("$d = 3.75$") && f.says("$d = 0.604$"),
         f.texts.iter().any(|(text, _)| text.contains("3.75 / 6 = 0.625$")),
         f.texts.iter().any(|(text, _)| text.contains("$t = 0.625 + 0.604 / 3.62 = 0.792$")),

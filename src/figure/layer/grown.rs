@@ -176,7 +176,7 @@ fn around(
     let free: Vec<DVec2> = middles.iter().copied().filter(clear).collect();
     let places = if free.is_empty() { middles } else { free };
     // Those that are far from B itself and from each other, and no more than leave A to be seen.
-    let places = spread(places, b);
+    let places = spread(&places, b);
     sketch.part("copies").weight(Weight::Light);
     for &place in &places {
         sketch.area(&outline_b.moved(place - b), None, Some(Pen::ghost(Role::B).opacity(COPY)));
@@ -190,7 +190,7 @@ fn around(
 }
 
 /// Some of the places, each as far as can be from `b` and from those before it.
-fn spread(places: Vec<DVec2>, b: DVec2) -> Vec<DVec2> {
+fn spread(places: &[DVec2], b: DVec2) -> Vec<DVec2> {
     let mut taken = vec![b];
     for _ in 0..COPIES.min(places.len()) {
         let room = |p: &DVec2| taken.iter().map(|q| q.distance(*p)).fold(f64::INFINITY, f64::min);
