@@ -23,8 +23,8 @@ const FILL: f64 = 0.12;
 
 /// Length of the arrow of the search, page pixels: it has a direction only, and is seen beyond O's ring.
 const SEARCH: f64 = 40.0;
-/// How far from O the supporting line must be for its right angle to be marked on O's side, page pixels: clear
-/// of O's ring.
+/// How far from O the supporting line must be for its right angle to be marked on O's side, page pixels:
+/// clear of O's ring.
 const CLEAR: f64 = 30.0;
 /// How far beside v its distance from the origin is measured, page pixels: clear of v's head.
 const LEAST: f64 = 16.0;
@@ -240,8 +240,8 @@ fn beyond(sketch: &mut Sketch, context: &Context, v: DVec2, radius: f64) {
 }
 
 /// Draws the direction −v from the origin, where v begins, and the supporting line square to it through the
-/// vertex that is farthest that way: nothing of B ⊖ A lies beyond. It passes through v itself where the search
-/// ends.
+/// vertex that is farthest that way: nothing of B ⊖ A lies beyond. It passes through v itself where the
+/// search ends.
 fn search(
     sketch: &mut Sketch,
     v: DVec2,
