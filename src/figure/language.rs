@@ -120,6 +120,14 @@ pub(crate) static WORDS: &[Row] = &rows([
     ],
     ["one more step, $*", "+ 1, $*", "noch ein Schritt, $*", "une étape de plus, $*", "un paso más, $*"],
     ["touch", "", "Berührung", "ils se touchent", "se tocan"],
+    [
+        "tolerance $*$, too small to be seen",
+        "$*$",
+        "Toleranz $*$, zu klein für das Bild",
+        "tolérance $*$, trop petite pour être vue",
+        "tolerancia $*$, demasiado pequeña para verse",
+    ],
+    ["tolerance $*$", "$*$", "Toleranz $*$", "tolérance $*$", "tolerancia $*$"],
     ["distance of the cores", "", "Abstand der Kerne", "distance des noyaux", "distancia de los núcleos"],
     [
         "distance closed by time $t$",
@@ -200,6 +208,7 @@ pub(crate) static WORDS: &[Row] = &rows([
     ["closest point", "", "nächster Punkt", "point le plus proche", "punto más cercano"],
     ["tangent", "", "Tangente", "tangente", "tangente"],
     ["start", "", "Anfang", "début", "inicio"],
+    ["order", "", "Reihenfolge", "ordre", "orden"],
     ["* turned", "*", "* gedreht", "* tourné", "* girado"],
     ["pushed to *", "", "nach * geschoben", "poussée jusqu’à *", "llevada a *"],
     ["shared", "", "gemeinsam", "commun", "compartido"],

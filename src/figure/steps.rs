@@ -1,12 +1,13 @@
 //! The steps of a figure, counted: marks that came with an event get the number of the step that it ends.
 
 use std::collections::BTreeSet;
+use std::mem::Discriminant;
 use std::ops::Range;
 
 use crate::drawing::{Group, Item, Path, Step, Text};
 use crate::geometry::sort_by;
 use crate::scene::{Scene, StepWords};
-use crate::trace::{self, Event, Hand, Voice, growth, step, told};
+use crate::trace::{self, Event, Hand, Voice, growth, step, taken, told};
 
 use super::cue::{Cue, Teller};
 use super::describe::Account;
@@ -69,7 +70,7 @@ pub(super) fn numbered(items: &mut [Item], scopes: &[Scope], (scene, runs): (&Sc
                 last.sentences.push(this.sentence.clone());
             }
         }
-        let goes_on = told.get(i + 1).is_some_and(|next| next.cue.is_of_the_run_of(&this.cue));
+        let goes_on = told.get(i + 1).is_some_and(|next| this.prepares(next));
         is_open = goes_on && !this.ends;
     }
     if let [_, .., last] = &mut steps[..] {
@@ -162,16 +163,25 @@ struct Told {
     ends: bool,
     /// Whether it is B ⊖ A as another algorithm knows it.
     is_given: bool,
+    /// The kind of event.
+    kind: Discriminant<Event>,
 }
 
 impl Told {
+    /// Whether it may be of the step of the next one: of its run, and not the same again, which follows from
+    /// nothing that the figure shows of this one.
+    fn prepares(&self, next: &Self) -> bool {
+        next.cue.is_of_the_run_of(&self.cue) && next.kind != self.kind
+    }
+
     /// What a cue says; `None` where no run has it.
     fn of((scene, voice): (&Scene, Voice), runs: &[std::sync::Arc<Run>], cue: Cue) -> Option<Self> {
         let (run, event) = runs.iter().find_map(|run| Some((run, run.event_of(&cue)?)))?;
         let title = step::title(event, cue.part, voice);
         let is_given = cue.teller != Teller::Own && tells_difference(event);
         let ends = step::ends_step(event);
-        let tell = |title, sentence| Self { cue, title, sentence, ends, is_given };
+        let kind = std::mem::discriminant(event);
+        let tell = |title, sentence| Self { cue, title, sentence, ends, is_given, kind };
         Some(match event {
             Event::DifferenceEdgeFound { .. } | Event::DifferenceRounded { .. }
                 if is_whole(&cue) && run.events().any(tells_edge) =>
@@ -191,6 +201,7 @@ impl Told {
                 tell(title, step::sentence_of_part(event, cue.part, voice))
             }
             _ => {
+                let title = taken::title(&run.trace.events, cue.event, voice).unwrap_or(title);
                 let by_axes = told::by_axes(event, voice).filter(|_| run.events().any(told::tests_axis));
                 tell(title, by_axes.unwrap_or_else(|| step::sentence_of_part(event, cue.part, voice)))
             }
@@ -293,6 +304,15 @@ mod tests {
         let edges = ["The question", "Edge 0 of A", "Edge 1 of A", "Edge 2 of A", "B ⊖ A"];
         assert_eq!(titles("minkowski", both), edges);
         assert_eq!(titles("gjk", both), ["The question", "B ⊖ A"]);
+        // A choice of the merge is a step of its own where no mark of what follows from it comes with it.
+        let taken = ["1: edge 0 of A", "2: edge 1 of A", "3: edge 2 of A"];
+        for layer in ["edge-fan", "merging"] {
+            let alone = titles("merge", &format!("{{ space = 'configuration', layers = ['{layer}'] }}"));
+            assert_eq!((alone[0].as_str(), &alone[1..]), ("The question", &taken.map(str::to_owned)[..]));
+            let found = format!("{{ space = 'configuration', layers = ['{layer}', 'difference'] }}");
+            let found = titles("merge", &found);
+            assert_eq!((&found[1..4], found.len()), (&taken.map(str::to_owned)[..], 5), "{found:?}");
+        }
         // Without the bodies there would be nothing to begin with.
         assert_eq!(titles("gjk", "{ space = 'configuration', layers = ['difference'] }"), ["The question"]);
     }

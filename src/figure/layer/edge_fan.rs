@@ -33,7 +33,13 @@ pub(super) const LAYER: Layer = Layer {
         default: "all",
         about: "up to which edge they are taken, from 1; later ones are faint",
     }],
-    labels: &[LabelKey { key: "step", about: "the edge's number in the order of directions" }],
+    labels: &[
+        LabelKey { key: "step", about: "the edge's number in the order of directions" },
+        LabelKey {
+            key: "order",
+            about: "at the arc: that the numbers are the order in which edges are taken",
+        },
+    ],
     needs: "the algorithm \"merge\" and bodies with edges",
     fed: |context, _| Fed::by_the_scene(!merged(context).is_empty()),
     draw,
@@ -99,5 +105,8 @@ fn order(sketch: &mut Sketch, all: &[Merged]) {
     if sweep > 0.0 {
         sketch.part("order").weight(Weight::Light);
         sketch.arc_arrow(DVec2::ZERO, radius, start, sweep, Pen::dimension(Role::Ink));
+        let arc = Anchor::Arc { center: DVec2::ZERO, radius, start, sweep };
+        let label = Label::new("order", "order", arc, Role::Ink);
+        sketch.label(label.rank(Rank::Word).size(Size::Note));
     }
 }

@@ -69,7 +69,10 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "hit", about: "the time of the hit" },
         LabelKey { key: "most", about: "the line of the fastest approach" },
         LabelKey { key: "sum", about: "the most in a unit of time" },
-        LabelKey { key: "touch", about: "the end of that curve" },
+        LabelKey {
+            key: "touch",
+            about: "the end of that curve, with its time where the axis has no room for it",
+        },
         LabelKey { key: "real", about: "the curve of how near they come in fact" },
         LabelKey { key: "kink", about: "the sharpest kink of that curve, with kink" },
     ],
@@ -153,7 +156,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     chart.axes(sketch.since(None), [("t", "$t$"), ("nearer", "distance closed by time $t$")]);
     level(sketch, context, &chart, &first);
     if real {
-        fact(sketch.since(context.answered()), &chart, &nearer, hit);
+        fact(sketch.since(context.answered()), &chart, &nearer);
         if options.flag("kink", false) {
             kinks::mark(sketch, context, (&chart, closed), &apart);
         }
@@ -162,8 +165,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     if real {
         left(sketch.since(context.answered()), context, &chart, &first);
     }
-    if let Some(hit) = hit.filter(|_| real) {
-        touch(sketch.since(context.answered()), &chart, &first, hit);
+    if let (Some(hit), Some(end)) = (hit, nearer.last()) {
+        touch(sketch.since(context.answered()), (&chart, *end), &first, hit);
     }
 }
 
@@ -212,7 +215,7 @@ fn level(sketch: &mut Sketch, context: &Context, chart: &Chart, first: &First) {
 }
 
 /// Draws how much nearer the bodies come in fact.
-fn fact(sketch: &mut Sketch, chart: &Chart, nearer: &[DVec2], hit: Option<Enclosure>) {
+fn fact(sketch: &mut Sketch, chart: &Chart, nearer: &[DVec2]) {
     let curve: Vec<DVec2> = nearer.iter().map(|p| chart.place(p.x, p.y)).collect();
     let pen = Pen::dimension(Role::Ink).width(1.5);
     sketch.part("real").weight(Weight::Background).stroke(&Outline::polyline(&curve), pen);
@@ -220,11 +223,6 @@ fn fact(sketch: &mut Sketch, chart: &Chart, nearer: &[DVec2], hit: Option<Enclos
     let anchor = Anchor::point_toward(at, chart.vector(DVec2::new(1.0, -1.0)));
     let label = Label::new("real", "in fact", anchor, Role::Ink);
     sketch.label(label.rank(Rank::Word).size(Size::Note));
-    if let (Some(&end), Some(_)) = (curve.last(), hit) {
-        sketch.part("touch").weight(Weight::Background).marker(end, Marker::Disc, Role::Ink, SMALL_MARKER);
-        let anchor = Anchor::point_toward(end, chart.vector(DVec2::new(1.0, -1.0)));
-        sketch.label(Label::new("touch", "touch", anchor, Role::Ink).rank(Rank::Word).size(Size::Note));
-    }
 }
 
 /// Draws the time at which the most reaches the distance.
@@ -255,22 +253,31 @@ fn left(sketch: &mut Sketch, context: &Context, chart: &Chart, first: &First) {
     sketch.label(label.rank(Rank::Measure).size(Size::Note));
 }
 
-/// Writes the time of the hit on the axis, where the bound leaves room.
-fn touch(sketch: &mut Sketch, chart: &Chart, first: &First, hit: Enclosure) {
+/// Draws the end of the curve over the mark of the bound, beside which it may lie, and its time: on the axis,
+/// or where the bound's stands too near, at the end of the curve.
+fn touch(sketch: &mut Sketch, (chart, end): (&Chart, DVec2), first: &First, hit: Enclosure) {
+    let time = Quantity::within(hit).latex();
     let bound = chart.along(sketch, first.until.unwrap_or(0.0));
-    if chart.along(sketch, hit.lo) - bound < sketch.fitted(GAP) {
-        return;
+    let on_axis = chart.along(sketch, hit.lo) - bound >= sketch.fitted(GAP);
+    if on_axis {
+        let [up, down] = [first.distance, 0.0].map(|y| chart.place(hit.lo, y));
+        sketch.part("hit").weight(Weight::Background).line(up, down, Pen::extension());
+        chart.tick(sketch, hit.lo, Role::Ink);
+        let anchor = Anchor::point_toward(down, chart.vector(DVec2::NEG_Y));
+        sketch.label(Label::new("hit", format!("${time}$"), anchor, Role::Ink));
     }
-    let [up, down] = [first.distance, 0.0].map(|y| chart.place(hit.lo, y));
-    sketch.part("hit").weight(Weight::Background).line(up, down, Pen::extension());
-    chart.tick(sketch, hit.lo, Role::Ink);
-    let anchor = Anchor::point_toward(down, chart.vector(DVec2::NEG_Y));
-    sketch.label(Label::new("hit", format!("${}$", Quantity::within(hit).latex()), anchor, Role::Ink));
+    let end = chart.place(end.x, end.y);
+    sketch.part("touch").weight(Weight::Background).marker(end, Marker::Disc, Role::Ink, SMALL_MARKER);
+    let lines = std::iter::once("touch".to_owned()).chain((!on_axis).then(|| format!("$t = {time}$")));
+    let anchor = Anchor::point_toward(end, chart.vector(DVec2::new(1.0, -1.0)));
+    let rank = if on_axis { Rank::Word } else { Rank::Measure };
+    let label = Label::new("touch", "", anchor, Role::Ink);
+    sketch.label(Label { lines: lines.collect(), ..label }.rank(rank).size(Size::Note));
 }
 
 #[cfg(test)]
 mod tests {
-    use crate::drawing::{Contour, Path, Point, Segment};
+    use crate::drawing::{Contour, Item, Path, Point, Segment};
     use crate::figure::layer::tests::{labels, paths};
     use crate::figure::{Figure, draw, plan};
     use crate::scene::open_text;
@@ -342,6 +349,29 @@ mod tests {
         }
         let (end, level) = (real[real.len() - 1], first_of(&figure, "level")[0]);
         assert!((end.y - level.y).abs() < 1e-3, "at the hit the whole distance is used up");
+        let mark = paths(&figure.drawing.items, "touch")[0].contour.bounds().unwrap();
+        assert!((0.5 * (mark.x0 + mark.x1) - end.x).abs() < 1e-9, "its end is marked");
+    }
+
+    #[test]
+    fn the_touch_has_its_time_on_the_axis_or_where_the_bounds_stands_too_near_at_its_mark() {
+        for (v, beside) in [(6.0, false), (60.0, true)] {
+            let figure = chart(v, "swept-axis").unwrap();
+            let said = labels(&figure);
+            assert_eq!(said.contains_key("hit"), !beside, "{v}: {said:?}");
+            let (words, time) = &said["touch"];
+            assert_eq!(words.starts_with("touch $t ="), beside, "{words}");
+            let parts: Vec<String> = figure.drawing.items.iter().flat_map(part_names).collect();
+            let at = |part: &str| parts.iter().rposition(|name| name == part);
+            assert!(at("touch") > at("bound"), "the mark of the touch is over that of the bound: {parts:?}");
+            assert!(!beside || *time > said["bound"].1, "{time} {:?}", said["bound"]);
+        }
+    }
+
+    /// The names of the groups in an item, in the order of drawing.
+    fn part_names(item: &Item) -> Vec<String> {
+        let Item::Group(group) = item else { return Vec::new() };
+        std::iter::once(group.name.clone()).chain(group.items.iter().flat_map(part_names)).collect()
     }
 
     #[test]

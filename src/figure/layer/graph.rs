@@ -34,6 +34,9 @@ const GAP: f64 = 22.0;
 /// The least distance of two steps along the axis that have their times below their numbers, page pixels.
 const VALUE_GAP: f64 = 30.0;
 
+/// The least height of the line of the tolerance, page pixels: a lower one can't be told from the axis.
+const SEEN: f64 = 3.0;
+
 /// The share of a line of fastest approach beside which its words stand: at its foot are the times.
 const ABOVE_AXIS: f64 = 0.6;
 
@@ -191,7 +194,9 @@ fn tolerance(sketch: &mut Sketch, (context, chart): (&Context, &Chart)) {
         to,
         Pen::dimension(Role::Muted),
     );
-    let text = format!("tolerance ${}$", number(impact.tolerance));
+    let height = sketch.on_page(from.distance(chart.place(0.0, 0.0)));
+    let unseen = if height < SEEN { ", too small to be seen" } else { "" };
+    let text = format!("tolerance ${}${unseen}", number(impact.tolerance));
     let label = Label::new("tolerance", text, Anchor::middle(from, to), Role::Muted);
     sketch.label(label.rank(Rank::Word).size(Size::Note));
 }

@@ -12,6 +12,7 @@ mod motion;
 mod phrases;
 mod place;
 pub(crate) mod step;
+pub(crate) mod taken;
 #[cfg(test)]
 mod tests;
 pub(crate) mod told;

@@ -146,6 +146,25 @@ fn the_tolerance_is_a_line_over_all_times_at_its_separation() {
 }
 
 #[test]
+fn a_tolerance_that_cannot_be_told_from_the_axis_says_so() {
+    for (tolerance, unseen) in [(0.5, false), (1e-3, true)] {
+        let text = format!(
+            "shapes.A = {{ kind = 'circle', radius = 1, velocity = [8, 0], angular_velocity_deg = 30 }}
+            shapes.B = {{ kind = 'box', half_extents = [1, 1], position = [6, 1], angle_deg = 30 }}
+            query = {{ kind = 'time-of-impact', of = ['A', 'B'], algorithm = 'conservative-advancement',
+                tolerance = {tolerance} }}
+            panels = [{{ view = [0, 0, 4, 3], layers = [{{ layer = 'graph', tolerance = true }}] }}]"
+        );
+        let scene = open_text("graph", &text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "graph");
+        let label = figure.panels[0].placed.iter().find(|label| label.key == "tolerance").unwrap();
+        let text = &label.lines[0].1.markup;
+        assert_eq!(text.ends_with("too small to be seen"), unseen, "{text}");
+    }
+}
+
+#[test]
 fn an_algorithm_without_steps_has_no_graph() {
     assert!(graph("swept-axis", true).is_err());
 }

@@ -159,6 +159,7 @@ fn expected(context: &Context, layer: &str, key: &str, line: &str) -> Option<f64
         ("ray", "t") => until_hit(scene, 0.0),
         ("projection", "gap") => largest_gap(context),
         ("graph", "s_1") => separation(scene, 0.0).separation,
+        ("fastest-approach", "touch") if !line.contains('=') => return None,
         ("fastest-approach", key) => return of_the_first_step(scene, key, [a, b]),
         ("naive", _) if line.contains('=') => return claimed(scene, [a, b], time),
         // EPA knows the cores only.
@@ -222,7 +223,7 @@ fn of_the_first_step(scene: &Scene, key: &str, [a, b]: [Option<&Body>; 2]) -> Op
     Some(match key {
         "unit" => 1.0,
         "d" => found.separation,
-        "hit" => until_hit(scene, 0.0),
+        "hit" | "touch" => until_hit(scene, 0.0),
         "v.n" => closing,
         "sum" => closing + arm(a) + arm(b),
         "r.A" => arm(a),

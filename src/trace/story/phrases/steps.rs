@@ -44,6 +44,8 @@ phrases! {
     FARTHEST: "The farthest vertex", "Die fernste Ecke", "Le sommet le plus éloigné", "El vértice más lejano";
     /// An edge of B ⊖ A: index, body.
     EDGE_OF: "Edge * of *", "Kante * von *", "Arête * de *", "Arista * de *";
+    /// One that a merge takes: its place in the order of directions, index, body.
+    TAKEN: "*: edge * of *", "*: Kante * von *", "* : arête * de *", "*: arista * de *";
     /// The next one of a merge.
     AN_EDGE_OF: "An edge of *", "Eine Kante von *", "Une arête de *", "Una arista de *";
     /// Where the origin projects to.
