@@ -227,8 +227,8 @@ fn axis(
     }
 }
 
-/// The parts of a guide between two tracks that do not lie on a body, of which the tracks of the centre and of
-/// the edge towards the tracks are given: a hairline on it would look like a part of it.
+/// The parts of a guide between two tracks that lie on no body, given the tracks of the body's centre and of
+/// its edge towards the tracks: a hairline on a body would look like a part of it.
 fn beside_body([from, to]: [f64; 2], body: Option<[f64; 2]>) -> Vec<[f64; 2]> {
     let Some([center, edge]) = body else { return vec![[from, to]] };
     let far = 2.0 * center - edge;
@@ -299,12 +299,20 @@ fn bars(context: &Context, options: &Options, e: Extents) -> Vec<Bar> {
 
 #[cfg(test)]
 mod tests {
-    use super::LANE;
+    use super::{LANE, beside_body};
     use crate::drawing::Point;
     use crate::figure::layer::tests::{labels, paths, points};
     use crate::figure::{draw, plan};
     use crate::geometry::DVec2;
     use crate::scene::open_text;
+
+    #[test]
+    fn a_guide_is_drawn_beside_a_body_and_not_on_it() {
+        assert_eq!(beside_body([-3.0, 2.0], None), [[-3.0, 2.0]]);
+        assert_eq!(beside_body([-3.0, 2.0], Some([-1.0, 0.0])), [[-3.0, -2.0], [0.0, 2.0]]);
+        // A body that begins before the guide does leaves the part behind it alone.
+        assert_eq!(beside_body([-1.0, 2.0], Some([-1.0, 0.0])), [[0.0, 2.0]]);
+    }
 
     #[test]
     fn half_extents_that_overlap_lie_side_by_side_and_share_what_is_negative() {
