@@ -157,28 +157,27 @@ const CIRCLES: [[f64; 4]; 2] = [[-3.45, -7.05, 9.45, 4.4], [-3.45, -7.05, 11.4, 
 #[test]
 fn box_box_lays_out_half_extents_gaps_and_centre_distance_axis_by_axis() {
     let f = figure("box-box");
-    let w = look(&f, 0, [-6.3, -4.7, 12.0, 3.8]);
+    let w = look(&f, 0, [-6.4, -5.1, 12.3, 3.25]);
     shows![
-        w.polygon(A, &[(-6.0, -2.5), (0.0, -2.5), (0.0, 0.5), (-6.0, 0.5)]).is_some(),
-        w.polygon(B, &[(2.0, -0.5), (7.0, -0.5), (7.0, 3.5), (2.0, 3.5)]).is_some(),
+        w.polygon(A, &[(-6.0, -3.0), (0.0, -3.0), (0.0, 1.0), (-6.0, 1.0)]).is_some(),
+        w.polygon(B, &[(1.5, 0.0), (6.5, 0.0), (6.5, 3.0), (1.5, 3.0)]).is_some(),
         w.marker(A, (-3.0, -1.0)),
-        w.marker(B, (4.5, 1.5)),
+        w.marker(B, (4.0, 1.5)),
         w.horizontal(A, -3.0, 0.0),
-        w.horizontal(Now, 0.0, 2.0),
-        w.horizontal(B, 2.0, 4.5),
-        w.horizontal(Ink, -3.0, 4.5),
-        w.vertical(A, -1.0, 0.5),
-        w.vertical(B, -0.5, 1.5),
+        w.horizontal(Now, 0.0, 1.5),
+        w.horizontal(B, 1.5, 4.0),
+        w.horizontal(Ink, -3.0, 4.0),
+        w.vertical(A, -1.0, 1.0),
+        w.vertical(B, 0.0, 1.5),
         w.vertical(Ink, -1.0, 1.5),
-        f.says("$h_{A,x} = 3$")
-            && f.says("$h_{B,x} = 2.5$")
-            && f.says("$h_{A,y} = 1.5$")
-            && f.says("$h_{B,y} = 2$"),
-        f.says("$D_x = 2$") && f.says("$D_y = -1$"),
-        f.says("$|c_B - c_A|_x = 7.5$") && f.says("$|c_B - c_A|_y = 2.5$"),
+        f.says("$h_{A,x} = 3$") && f.says("$h_{B,x} = 2.5$"),
+        f.says("$h_{A,y} = 2$") && f.says("$h_{B,y} = 1.5$"),
+        f.says("$D_x = 1.5$") && f.says("$D_y = -1$"),
+        f.says("$|c_B - c_A|_x = 7$") && f.says("$|c_B - c_A|_y = 2.5$"),
         f.says("$c_A$") && f.says("$c_B$"),
-        // Lit from A's edge to B's, up to the top; of what they share of the other axis only its ends.
-        w.strip(Now, (0.0, 3.5), (2.0, 3.5)),
+        // Lit from A's edge to B's, up to the top; and what they share of the other axis, over both.
+        w.strip(Now, (0.0, 3.0), (1.5, 3.0)),
+        w.strip(Muted, (-6.0, 0.0), (-6.0, 1.0)),
     ];
 }
 
@@ -281,7 +280,7 @@ fn separating_axes_shows_shadows_that_overlap_and_shadows_with_a_gap() {
     let one = look(&f, 0, [-1.0, -3.7, 13.0, 11.2]);
     shows![
         one.polygon(A, &[(5.4, -0.3), (5.4, 4.7), (2.1, 4.1), (1.5, 1.2)]).is_some(),
-        one.polygon(B, &[(3.5, 8.0), (11.5, 2.0), (11.74, 4.32), (7.26, 8.68)]).is_some(),
+        one.polygon(B, &[(3.5, 8.0), (11.5, 2.0), (11.74, 4.32), (6.4, 9.7)]).is_some(),
         one.line(Now, (5.4, -0.3), (5.4, 4.7)).is_some(),
         f.says("overlap $= 5.4 - 3.5 = 1.9$") && f.says("gap $= 8.5 - 7 = 1.5$"),
         f.texts.iter().filter(|(t, _)| t == "$n$").count() == 2,
@@ -293,16 +292,18 @@ fn separating_axes_shows_shadows_that_overlap_and_shadows_with_a_gap() {
     has(&one, B, 8.24);
     has(&one, Ink, 1.9);
     // In that of B, whose x axis is (4, 3)/5, A spans 1.86 to 7, at its vertex (7, −1.5), and B 8.5, where its edge
-    // lies, to 11.3.
+    // lies, to 11.6.
     let two = look(&f, 1, [-1.0, -11.4, 13.0, 3.5]);
+    let from = 2.0 + 38.0 / two.panel.scale;
     shows![
         two.polygon(A, &[(3.0, -4.5), (7.0, -1.5), (4.54, 0.78), (1.86, -0.48)]).is_some(),
-        two.polygon(B, &[(8.5, 2.0), (8.5, -8.0), (10.5, -6.8), (11.3, -0.6)]).is_some(),
+        two.polygon(B, &[(8.5, 2.0), (8.5, -8.0), (10.5, -6.8), (11.6, 0.7)]).is_some(),
         two.line(Now, (8.5, 2.0), (8.5, -8.0)).is_some(),
-        // The gap is lit up to B's upper end.
-        two.strip(Translation, (7.0, 2.0), (8.5, 2.0)),
+        // The gap is lit up to where light falls from, over B's upper end, and light goes through its middle.
+        two.strip(Translation, (7.0, from), (8.5, from)),
+        two.arrow(Translation, (7.75, from), (7.75, -8.0 - 26.0 / two.panel.scale)),
     ];
     has(&two, A, 5.14);
-    has(&two, B, 2.8);
+    has(&two, B, 3.1);
     has(&two, Translation, 1.5);
 }

@@ -19,9 +19,8 @@ use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 /// Distance of the tracks below from the boxes and from each other, page pixels: a label of 16 fits between.
 const BELOW: f64 = 40.0;
 
-/// Distance of the tracks to the right from the boxes and from each other, page pixels: a label of 16 fits
-/// between.
-const BESIDE: f64 = 48.0;
+/// Distance of the tracks to the right from the boxes, page pixels: "D_y = −1" of 16 fits between.
+const BESIDE: f64 = 92.0;
 
 /// From one of two lanes to the other, page pixels: two bars and not one, and room for a hatch.
 const LANE: f64 = 26.0;
@@ -35,9 +34,12 @@ const LIT: f64 = 0.13;
 /// The most lines of a hatch; more are a grey area on any page.
 const MOST_LINES: usize = 1000;
 
-/// Where the distance of the centres is measured to the right, as a part of the way to the next track: beyond
-/// the label of the shared stretch, of some 90 pixels.
-const LAST: f64 = 3.9;
+/// Opacity of the strip of what they share of one axis where they are apart along the other.
+const DIM: f64 = 0.09;
+
+/// Where the distance of the centres is measured to the right, as a part of the way to the first track: where
+/// the half-extents lie beside each other, and beyond their labels where they lie end to end.
+const LAST: [f64; 2] = [1.7, 2.0];
 
 pub(super) const LAYER: Layer = Layer {
     name: "axis-gaps",
@@ -185,8 +187,7 @@ fn axis(
     let forward = if e.centers[0] <= e.centers[1] { 1.0 } else { -1.0 };
     let facing = [e.centers[0] + forward * e.half[0], e.centers[1] - forward * e.half[1]];
     let part = format!("axis-{}", e.name);
-    // What they share along one axis decides nothing where the other has a gap: no strip that crosses its.
-    let is_lit = e.gap != 0.0 && e.role != Role::Muted;
+    let is_lit = e.gap != 0.0;
     if is_lit {
         strip(sketch, (facing, e.role), place, across);
     }
@@ -209,7 +210,10 @@ fn axis(
     // What is shared lies under the bars that share it.
     bars.iter().filter(|bar| bar.is_shared).for_each(|bar| hatch(sketch, bar, place));
     for bar in bars {
-        let [p, q] = bar.ends.map(|end| place.point(end, bar.track));
+        // What is shared lies from the first track to its own.
+        let is_inward = bar.is_shared && bar.beside == Beside::Inward;
+        let track = if is_inward { 1.0 } else { bar.track };
+        let [p, q] = bar.ends.map(|end| place.point(end, track));
         let role = bar.pen.role;
         if !bar.is_shared {
             sketch.part(&part).bar(p, q, 0.0, bar.pen);
@@ -241,7 +245,8 @@ fn strip(sketch: &mut Sketch, (facing, role): ([f64; 2], Role), place: &Place, a
     let far = far[0].min(far[1]);
     let ends = [(facing[0], 1.0), (facing[1], 1.0), (facing[1], far), (facing[0], far)];
     let strip = Outline::polygon(&ends.map(|(along, track)| place.point(along, track)));
-    sketch.part("lit").weight(Weight::Light).area(&strip, Some(Wash::faint(role, LIT)), None);
+    let lit = if role == Role::Muted { DIM } else { LIT };
+    sketch.part("lit").weight(Weight::Light).area(&strip, Some(Wash::faint(role, lit)), None);
 }
 
 /// Hatches a stretch from the first track to the bar's own: the two lanes bound it on their sides.
@@ -284,9 +289,9 @@ fn bars(context: &Context, options: &Options, e: Extents) -> Vec<Bar> {
     let is_overlap = e.gap < 0.0;
     let (tracks, places) = match (is_overlap, name) {
         (true, 'x') => ([1.0, lane, lane, lane + 1.0], [First, Outward, Last, Outward]),
-        (true, _) => ([1.0, lane, lane, LAST], [First, Outward, Last, Outward]),
+        (true, _) => ([1.0, lane, lane, LAST[0]], [First, Inward, Last, Outward]),
         (false, 'x') => ([1.0, 1.0, 1.0, 2.0], [Inward, Inward, Inward, Outward]),
-        (false, _) => ([1.0, 1.0, 1.0, LAST - 1.0], [Outward; 4]),
+        (false, _) => ([1.0, 1.0, 1.0, LAST[1]], [Outward; 4]),
     };
     let pens = [half[0], Pen::highlighted(e.role), half[1], Pen::dimension(Role::Ink)];
     let bar = |i: usize| {
@@ -338,11 +343,11 @@ mod tests {
             [x.reduce(of).unwrap(), y.reduce(of).unwrap()]
         });
         // Along y they are apart: from A's top, 1, to B's bottom, 2, over the width of both; what they share
-        // of x crosses that with no strip.
+        // of x is a strip too, from under that.
         let frame = &figure.panels[0].frame;
         let strips = paths(&figure.drawing.items, "lit");
-        assert_eq!(strips.len(), 1);
-        let strip = points(strips[0]);
+        assert_eq!(strips.len(), 2);
+        let strip = points(strips[1]);
         for place in [[-2.0, 1.0], [-2.0, 2.0]].map(|p| frame.page(DVec2::from(p))) {
             assert!(strip.iter().any(|p| (*p - place).length() < 1e-6), "{place:?}: {strip:?}");
         }

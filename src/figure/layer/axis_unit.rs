@@ -1,7 +1,7 @@
 //! What the numbers along an axis are counted in: the unit vector n on it, from its 0, where the shadow of
 //! the world's origin is; and the light that casts shadows on it.
 
-use crate::drawing::{Point, Role};
+use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, Pen, Rank, Size, Sketch, Weight};
 use crate::figure::text::{number, terms};
@@ -19,12 +19,8 @@ const UNIT: f64 = 3.0;
 /// The least that a unit is long for each to be marked, page pixels: marks that are nearer are a hatch.
 const LEAST: f64 = 12.0;
 
-/// The least distance of numbers along the axis, and theirs below it, page pixels: past the lower interval.
-const NUMBERED: f64 = 60.0;
-const BELOW: f64 = 28.0;
-
 /// From where above the bodies to where the arrows of light reach, page pixels.
-const LIGHT: f64 = 38.0;
+pub(super) const LIGHT: f64 = 38.0;
 const CLEAR: f64 = 10.0;
 
 /// The axis with its components, in LaTeX.
@@ -57,40 +53,26 @@ pub(super) fn units(sketch: &mut Sketch, (first, last): (f64, f64), at: impl Fn(
     let each = std::iter::successors(Some(first.ceil()), |k| Some(k + 1.0)).take_while(|k| *k < last);
     let marks: Vec<_> = each.map(|k| (sketch.page(at(k, -half)), sketch.page(at(k, half)))).collect();
     sketch.part("units").quiet_lines(&marks, Pen::dimension(Role::Muted));
-    numbered(sketch, (first, last), at);
-}
-
-/// Writes the numbers of round units along the axis, where they can be read; 0 has a mark of its own.
-fn numbered(sketch: &mut Sketch, (first, last): (f64, f64), at: impl Fn(f64, f64) -> DVec2) {
-    let room = NUMBERED / sketch.on_page(1.0);
-    let steps = std::iter::successors(Some(1.0), |s| Some(10.0 * s)).flat_map(|s| [s, 2.0 * s, 5.0 * s]);
-    let Some(step) = steps.take_while(|s| *s < FARTHEST).find(|s| *s >= room) else { return };
-    let below = sketch.px(BELOW);
-    let each = std::iter::successors(Some((first / step).ceil()), |k| Some(k + 1.0));
-    for value in each.map(|k| k * step).take_while(|value| *value <= last).filter(|value| *value != 0.0) {
-        let Some(words) = sketch.set(&format!("${}$", number(value))) else { continue };
-        let middle = sketch.page(at(value, below));
-        let base = middle.y + 0.5 * (words.ascent - words.descent);
-        let origin = Point::new(middle.x - 0.5 * words.width, base);
-        sketch.part("numbers").write(&words, origin, Role::Muted);
-    }
 }
 
 /// Draws from where light falls: arrows over the bodies towards the axis, from the `high`est of them at
-/// `track`.
+/// `track`; the middle one, where there is a `gap`, through that to the axis.
 pub(super) fn light(
     sketch: &mut Sketch,
-    (first, last): (f64, f64),
+    ([first, last], gap): ([f64; 2], Option<f64>),
     high: f64,
     at: impl Fn(f64, f64) -> DVec2,
 ) {
     let [from, to] = [LIGHT, CLEAR].map(|px| high - sketch.px(px));
-    let places = [1.0, 3.0, 5.0].map(|sixths| first + (last - first) * sixths / 6.0);
-    for along in places {
+    let middle = (gap.unwrap_or(0.5 * (first + last)), gap.map_or(to, |_| 0.0));
+    let [left, right] = [1.0, 5.0].map(|sixths| (first + (last - first) * sixths / 6.0, to));
+    for (along, to) in [left, middle, right] {
+        let passes = to == 0.0;
+        let role = if passes { Role::Translation } else { Role::Muted };
         sketch.part("light").weight(Weight::Light);
-        sketch.arrow(at(along, from), at(along, to), Pen::vector(Role::Muted));
+        sketch.arrow(at(along, from), at(along, to), Pen::vector(role));
     }
-    let anchor = beside(at(places[1], from), at(places[1], to), at(1.0, 0.0) - at(0.0, 0.0));
+    let anchor = beside(at(left.0, from), at(left.0, to), at(1.0, 0.0) - at(0.0, 0.0));
     let label = Label::new("light", "light", anchor, Role::Muted);
     sketch.label(label.rank(Rank::Word).size(Size::Note));
 }
@@ -140,6 +122,7 @@ pub(super) fn zero(
 mod tests {
     use crate::figure::layer::tests::{labels, paths, points};
     use crate::figure::{draw, plan};
+    use crate::geometry::DVec2;
     use crate::scene::open_text;
 
     #[test]
@@ -162,8 +145,11 @@ mod tests {
             assert_eq!(arrows.len(), if light { 6 } else { 0 });
             for shaft in arrows.iter().step_by(2) {
                 let [from, to] = [points(shaft)[0], points(shaft)[1]];
-                let top = frame.page(crate::geometry::DVec2::new(8.0, 1.0)).y;
-                assert!(from.x == to.x && from.y < to.y && to.y < top, "{from:?} to {to:?}, over {top}");
+                let [top, bottom] = [1.0, -2.0].map(|y| frame.page(DVec2::new(5.0, y)));
+                assert!(from.x == to.x && from.y < to.y, "{from:?} to {to:?}");
+                // Through the gap from 3 to 7 it falls past both bodies.
+                let passes = (from.x - top.x).abs() < 1e-6;
+                assert!(if passes { to.y > bottom.y } else { to.y < top.y }, "{from:?} to {to:?}, {top:?}");
             }
         }
     }

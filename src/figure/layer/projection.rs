@@ -15,7 +15,7 @@ use crate::figure::text::{number, terms};
 use crate::geometry::{DVec2, Enclosure, Feature, Side, perp};
 use crate::trace::Event;
 
-use super::axis_unit::{light, numbers, on_axis, sees, units, written, zero};
+use super::axis_unit::{LIGHT, light, numbers, on_axis, sees, units, written, zero};
 use super::half_extents::beside;
 use super::normal::{unit_length, unit_vector};
 use super::shadow::{guide, highest, lit};
@@ -175,12 +175,15 @@ fn draw_axis(sketch: &mut Sketch, (context, options): (&Context, &Options), t: &
     // The strip passes between the bodies from beyond both, as light does that falls there.
     let top = -far - highest(&points, down);
     // What lies in both shadows is marked at them alone: light that would fall there is stopped.
-    lit(sketch, [t.a.hi, t.b.lo], [low, if t.gap > 0.0 { top } else { -track }], at);
+    let has_light = options.flag("light", false);
+    let from = if has_light { top - sketch.px(LIGHT) } else { top };
+    lit(sketch, [t.a.hi, t.b.lo], [low, if t.gap > 0.0 { from } else { -track }], at);
     let past = sketch.px(PAST);
     let values = options.flag("values", false);
     let (mut first, mut last) = (t.a.lo.min(t.b.lo) - past, t.a.hi.max(t.b.hi) + past);
-    if options.flag("light", false) {
-        light(sketch, (first + past, last - past), top, at);
+    if has_light {
+        let gap = (t.gap > 0.0).then_some(0.5 * (t.a.hi + t.b.lo));
+        light(sketch, ([first + past, last - past], gap), top, at);
     }
     // Numbers are counted from 0: the axis reaches it where it is in view.
     if values && sees(sketch, context, at(0.0, 0.0)) {
