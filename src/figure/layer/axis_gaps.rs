@@ -19,7 +19,7 @@ use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 /// Distance of the tracks below from the boxes and from each other, page pixels: a label of 16 fits between.
 const BELOW: f64 = 40.0;
 
-/// Distance of the tracks to the right from the boxes, page pixels: "D_y = −1" of 16 fits between.
+/// Distance of the tracks to the right from the boxes, page pixels: a label of D and 16 fit between.
 const BESIDE: f64 = 92.0;
 
 /// From one of two lanes to the other, page pixels: two bars and not one, and room for a hatch.
