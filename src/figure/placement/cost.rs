@@ -94,6 +94,7 @@ pub(super) fn own_cost(
     if candidate.leader.is_none() {
         cost += doubt(things.margin(&candidate.rect, w.doubt_reach), w);
     }
+    cost += w.astray * things.astray(&candidate.rect);
     cost += if moved(sought, home, candidate, scene) { w.moved } else { 0.0 };
     if cost > most { f64::INFINITY } else { cost }
 }

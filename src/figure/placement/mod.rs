@@ -16,11 +16,12 @@
 //! comfortable.
 //!
 //! The way through: [`worth`] says which labels seek a place, [`things`](mod@things) what each could name,
-//! [`candidates`] and [`inside`] offer places, [`anywhere`] all others, [`cost`] prices them,
+//! [`candidates`] and [`inside`] offer places, [`anywhere`] all others, [`cost`] and [`astray`] price them,
 //! [`choices`] chooses among them, [`solve`] leads the search, [`faults`] says what is still wrong. All
 //! their numbers are [`weights`]. [`tinted`] gives a halo the colour of what lies under it.
 
 mod anywhere;
+mod astray;
 mod candidates;
 mod choices;
 mod cost;

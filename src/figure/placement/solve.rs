@@ -167,7 +167,8 @@ impl Choices<'_> {
         woken
     }
 
-    /// Offers those of some labels that are in trouble places about their places.
+    /// Offers those of some labels that are in trouble places about their places; those in a body that what
+    /// they name lies beside, places anywhere.
     fn widen(&mut self, labels: &[usize], seekers: &[Seeker], scene: &Surroundings) {
         let all: Vec<usize> = (0..seekers.len()).collect();
         let search = &self.weights.search;
@@ -181,7 +182,11 @@ impl Choices<'_> {
                 continue;
             }
             let about = |slot: usize| nudged(&self.places[label][slot].0, &seeker.things, self.weights);
-            let more = self.cheapest(label, search.cheapest).into_iter().flat_map(about).collect();
+            let mut more: Vec<_> =
+                self.cheapest(label, search.cheapest).into_iter().flat_map(about).collect();
+            if seeker.things.astray(&self.candidate(label).rect) > 0.0 {
+                more.extend(anywhere(seeker.sought, &seeker.things, scene.frame, self.weights));
+            }
             let more = self.price(seeker, (more, now + search.hopeless), scene);
             self.places[label].extend(more);
         }

@@ -84,6 +84,8 @@ pub(super) struct Things<'t> {
     pub(super) own: Option<Thing>,
     /// What else a label like it could name.
     pub(super) rivals: Vec<Rival<'t>>,
+    /// The bodies that what it names lies beside, where that is a length or line between them.
+    pub(super) beside: Vec<&'t Thing>,
     /// The panel on the page.
     panel: Rect,
     /// What [`Things::remote`] says, once it was asked for.
@@ -115,7 +117,8 @@ impl<'t> Things<'t> {
     /// What a label names, and what it must not seem to name among all things of a panel.
     pub(super) fn among(all: &'t [Thing], own: Option<Thing>, panel: &Rect) -> Self {
         let rivals = own.as_ref().map_or_else(Vec::new, |own| own.rivals(all));
-        Self { own, rivals, panel: *panel, remote: OnceCell::new() }
+        let beside = own.as_ref().map_or_else(Vec::new, |own| own.beside(all));
+        Self { own, rivals, beside, panel: *panel, remote: OnceCell::new() }
     }
 
     /// Points of the area that is only its own, the remotest from any line first, each with that distance,
@@ -299,7 +302,7 @@ impl Thing {
     }
 
     /// Whether a point lies in its area.
-    fn holds(&self, p: Point) -> bool {
+    pub(super) fn holds(&self, p: Point) -> bool {
         self.is_area() && self.line.contains(p)
     }
 

@@ -94,6 +94,9 @@ super::numbers! {
         /// Standing just nearer to its own thing than to another one, falling to nothing at `doubt_reach`.
         /// Twice: 2 + 19 labels; half: 2 + 7 labels.
         doubt: f64 = 5.0;
+        /// The label of a length standing in a body that the length lies beside; a part of it where a part of
+        /// the label does. At half, labels stay in bodies above which there is room with a leader line.
+        astray: f64 = 12.0;
         /// Standing elsewhere than the same label of the same thing in an earlier panel.
         /// Twice: 0 + 16 labels; half: 1 + 18 labels, two faults more.
         moved: f64 = 6.0;
