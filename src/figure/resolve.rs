@@ -73,7 +73,7 @@ impl<'r, 's> Resolver<'r, 's> {
         let (scene, runs) = (self.scene, self.runs);
         let space = source.space.clone();
         let context = Context { scene, space: &space, time: moment.time, step: moment.step, now: None, runs };
-        let (mut layers, mut unwritten, mut silent) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut layers, mut unwritten, mut silent) = (Vec::<LayerPlan>::new(), Vec::new(), Vec::new());
         for (i, spec) in source.layers.iter().flatten().enumerate() {
             match self.layer(&context, spec, ours) {
                 Some(Resolved::Drawn(layer)) => layers.push(layer),
@@ -84,6 +84,10 @@ impl<'r, 's> Resolver<'r, 's> {
                 None => {}
             }
         }
+        // Else its lines would run through numbers and bodies.
+        let (beneath, above): (Vec<_>, Vec<_>) =
+            layers.into_iter().partition(|planned| planned.layer.name == layer::GRID);
+        let layers = beneath.into_iter().chain(above).collect();
         let title = source.title.as_ref().and_then(|t| {
             let style = Style::semibold(self.measures.title_size());
             let width = self.words.title_width(index);

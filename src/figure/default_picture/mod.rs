@@ -8,6 +8,7 @@
 
 mod axis_test;
 mod bounded_motion;
+mod bounded_motions;
 mod bounded_turn;
 mod bounding_box;
 mod box_extents;
@@ -68,6 +69,7 @@ pub struct Picture {
 pub static PICTURES: &[Picture] = &[
     bounding_box::PICTURE,
     bounded_turn::PICTURE,
+    bounded_motions::PICTURE,
     bounded_motion::PICTURE,
     overlap_at_start::PICTURE,
     turning_steps::PICTURE,

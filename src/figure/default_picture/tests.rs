@@ -53,6 +53,9 @@ fn scenes() -> Vec<Scene> {
             }
         }
     }
+    let both =
+        pair("", PLACES[0], "velocity = [3, 0]\nangular_velocity_deg = 40") + "angular_velocity_deg = -30\n";
+    texts.insert(both + "[query]\nkind = 'motion-bound'\nof = ['crate', 'B']\n");
     texts.iter().filter_map(|text| Some(open_text("s.toml", text).ok()?.scene)).collect()
 }
 
@@ -204,4 +207,18 @@ fn what_someone_else_answered_stands_in_the_picture() {
     let [without, with] = ["", "expected = { separation = 1.5 }"].map(labels);
     let is_it = |key: &&str| EXPECTED.labels.iter().any(|label| label.key == *key);
     assert!(with.len() == without.len() + 1 && with.iter().any(is_it), "{without:?} {with:?}");
+}
+
+#[test]
+fn the_bound_of_two_bodies_that_turn_has_the_numbers_of_both() {
+    let scene = "shapes.wheel = { kind = 'circle', radius = 1, center = [0.5, 0], velocity = [2, 0.5],
+                angular_velocity_deg = 90 }
+            shapes.bar = { kind = 'box', half_extents = [1.5, 0.1], position = [4, 0],
+                angular_velocity_deg = -120 }
+            query = { kind = 'motion-bound', of = ['wheel', 'bar'] }";
+    let scene = open_text("s.toml", scene).unwrap().scene;
+    let plan = plan(&scene).unwrap();
+    let figure = draw(&plan, plan.theme, "s");
+    let arcs = figure.panels.iter().map(|p| p.placed.iter().filter(|label| label.key == "L").count());
+    assert_eq!(arcs.collect::<Vec<_>>(), [2]);
 }

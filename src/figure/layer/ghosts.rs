@@ -5,7 +5,7 @@ use crate::collision::Separation;
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, Outline, Pen, Rank, Size, Sketch, Wash, Weight};
-use crate::figure::text::{Quantity, number};
+use crate::figure::text::{Digits, Quantity, in_math, number};
 use crate::geometry::{DVec2, Side};
 use crate::scene::When;
 
@@ -30,6 +30,8 @@ const UNSEEN: f64 = 2.25;
 /// How many degrees a body turns before it stands as it stood: from there on the picture of both says too
 /// little.
 const WHOLE_TURN: f64 = 360.0;
+/// Digits of how far a body turned that is seen in another pose.
+const TENTHS: Digits = Digits::Decimals(1);
 
 /// How many ghosts of a series are drawn at most, the last included; more are a blur.
 const MOST: usize = 5;
@@ -195,12 +197,15 @@ pub(super) fn at_moment(context: &Context, side: Side, time: &str) -> Vec<String
     if name.is_symbol() { vec![format!("{} {then}", name.primed(0))] } else { vec![name.primed(0), then] }
 }
 
-/// How far a body turns from the panel's moment to another, where that is a whole turn or more: five of them
-/// look like none.
+/// How far a body turns from the panel's moment to another, clockwise with a minus, where that is a whole
+/// turn or more: five of them look like none. To a tenth of a degree, which is about what is seen: −360.4° in
+/// three digits would be none.
 fn turned(context: &Context, side: Side, time: f64) -> Option<String> {
     let (_, spin) = seen(context, side)?;
-    let degrees = (spin * (time - context.time)).abs();
-    (degrees >= WHOLE_TURN).then(|| format!("turned ${}°$", number(degrees)))
+    let degrees = spin * (time - context.time);
+    let tenths = TENTHS.of(degrees, degrees);
+    let written = tenths.strip_suffix(".0").unwrap_or(&tenths);
+    (degrees.abs() >= WHOLE_TURN).then(|| format!("turned ${}°$", in_math(written)))
 }
 
 /// Fill and line of a ghost.

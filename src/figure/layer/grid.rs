@@ -16,9 +16,12 @@ pub(super) const STEP: OptionSpec = OptionSpec {
     about: "from one to the next, units of the panel's space",
 };
 
+/// The layer that lies beneath all others of its panel.
+pub(in crate::figure) const GRID: &str = "grid";
+
 pub(super) const LAYER: Layer = Layer {
-    name: "grid",
-    about: "a quiet grid at round steps of the panel's space",
+    name: GRID,
+    about: "a quiet grid at round steps of the panel's space, beneath all other layers",
     shows: Shows::Anywhere,
     tells: Tells::Given,
     options: &[STEP],
@@ -71,4 +74,27 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let (upright, level): (Vec<_>, Vec<_>) = (lines(x, &upright), lines(y, &level));
     sketch.part("upright").quiet_lines(&upright, pen);
     sketch.part("level").quiet_lines(&level, pen);
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::drawing::Item;
+    use crate::figure::{draw, plan};
+    use crate::scene::open_text;
+
+    #[test]
+    fn the_grid_lies_beneath_all_else_wherever_it_is_listed() {
+        let drawn = |layers: &str| {
+            let text = format!(
+                "shapes.A = {{ kind = 'circle', radius = 4 }}
+                query = {{ kind = 'bounds', of = ['A'] }}
+                panels = [{{ layers = [{layers}] }}]"
+            );
+            let scene = open_text("grid", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            draw(&plan, plan.theme, "grid").drawing.items
+        };
+        let first: Vec<Item> = drawn("'grid', { layer = 'axes', ticks = true }, 'shapes'");
+        assert_eq!(drawn("{ layer = 'axes', ticks = true }, 'shapes', 'grid'"), first);
+    }
 }

@@ -9,7 +9,7 @@ use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
 use crate::scene::When;
 
-use super::separation::edges;
+use super::separation::{NO_EDGE, edges};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 /// Drawn length of the unit vector where the scene does not say, world units: its own.
@@ -55,10 +55,18 @@ pub(super) const LAYER: Layer = Layer {
         Some(When::Hit | When::Closest) => {
             Fed::by_the_answer(found(context, options).is_some(), context.asks_for_a_hit())
         }
-        _ => Fed::by_the_scene(found(context, options).is_some()),
+        _ => found(context, options)
+            .map_or(Fed::Never, |(time, answer)| on_edge(context, options, time, &answer)),
     },
     draw,
 };
+
+/// Whether the edge that the arrow is to start on faces.
+fn on_edge(context: &Context, options: &Options, time: f64, answer: &Separation) -> Fed {
+    let asked = options.word("from", "") == "edge";
+    let none = asked && edges(context, time, answer).is_empty();
+    if none { Fed::Without { option: "from", why: NO_EDGE } } else { Fed::Yes }
+}
 
 /// The moment that the scene wants, and the pair then.
 fn found(context: &Context, options: &Options) -> Option<(f64, Separation)> {

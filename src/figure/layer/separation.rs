@@ -35,6 +35,9 @@ const ASIDE: f64 = 14.0;
 /// How far the carrier line reaches beyond its edge, world units.
 const CARRIER: f64 = 1.0;
 
+/// Why nothing is drawn of an edge.
+pub(super) const NO_EDGE: &str = "neither closest point is on an edge that faces the other body";
+
 pub(super) const LAYER: Layer = Layer {
     name: "separation",
     about: "the distance or depth between the closest points",
@@ -124,6 +127,9 @@ fn found(context: &Context, options: &Options) -> Option<Arc<Run>> {
 fn beside(context: &Context, options: &Options, run: &Run) -> Fed {
     let wants = |option: &'static str| options.flag(option, false).then_some(option);
     let Some(answer) = run.separation() else { return Fed::Yes };
+    if let Some(option) = wants("carrier").filter(|_| edges(context, run.time, answer).is_empty()) {
+        return Fed::Without { option, why: NO_EDGE };
+    }
     let apart = wants("disc").or(wants("rival")).filter(|_| answer.bounds.hi >= 0.0);
     if let Some(option) = apart {
         return Fed::Without { option, why: "the bodies do not overlap" };

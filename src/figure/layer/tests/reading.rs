@@ -227,3 +227,42 @@ fn a_vertex_that_is_as_far_as_p_has_no_shorter_arc() {
     let none = "`nearer` of `arc` draws nothing: that vertex is as far as p, or the origin";
     assert_eq!(told(2), (false, vec![none.to_owned()]));
 }
+
+#[test]
+fn what_has_no_edge_to_stand_on_is_told() {
+    let told = |y: f64, layer: &str| {
+        let text = format!(
+            "shapes.A = {{ kind = 'polygon', vertices = [[0, 0], [2, -1], [2, 1]] }}
+             shapes.B = {{ kind = 'box', half_extents = [1, 1], position = [-3, {y}] }}
+             query = {{ kind = 'separation', of = ['A', 'B'] }}
+             panels = [{{ layers = ['shapes', {layer}] }}]"
+        );
+        let scene = open_text("vertices", &text).unwrap().scene;
+        plan(&scene).unwrap().warnings.iter().map(|w| w.fault.to_string()).collect::<Vec<_>>()
+    };
+    for (layer, option) in [("separation", "carrier = true"), ("normal", "from = 'edge'")] {
+        let asked = format!("{{ layer = '{layer}', {option} }}");
+        assert_eq!(told(0.5, &asked), Vec::<String>::new(), "A's vertex is before an edge of B");
+        let option = option.split(' ').next().unwrap();
+        let why = "neither closest point is on an edge that faces the other body";
+        assert_eq!(told(2.0, &asked), [format!("`{option}` of `{layer}` draws nothing: {why}")]);
+    }
+}
+
+#[test]
+fn a_body_that_turned_more_than_once_says_how_far_and_which_way() {
+    let told = |spin: f64| {
+        let text = format!(
+            "shapes.blade = {{ kind = 'box', half_extents = [1, 0.1], angular_velocity_deg = {spin} }}
+             shapes.wall = {{ kind = 'box', half_extents = [1, 1], position = [9, 0] }}
+             query = {{ kind = 'time-of-impact', of = ['blade', 'wall'] }}
+             panels = [{{ layers = ['shapes', {{ layer = 'ghosts', of = 'blade', at = 'end' }}] }}]"
+        );
+        let scene = open_text("blade", &text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        labels(&draw(&plan, plan.theme, "blade"))["A'"].0.clone()
+    };
+    assert!(told(1845.0).ends_with("turned $1845°$"), "{}", told(1845.0));
+    assert!(told(-360.44).ends_with("turned $-360.4°$"), "{}", told(-360.44));
+    assert!(!told(-350.0).contains("turned"));
+}
