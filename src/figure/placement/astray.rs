@@ -8,14 +8,15 @@ use super::things::{ALIKE, Thing, Things};
 const ACROSS: [f64; 5] = [0.0, -0.5, 0.5, -1.0, 1.0];
 
 impl Thing {
-    /// The areas beside a length or a line between two points: those that its middle is neither in nor on the
-    /// outline of.
+    /// The areas beside a length or a line between two points, where that lies between them: its middle is in
+    /// none, nor on the outline of one. A depth is in a body, and its label may be in another one there.
     pub(super) fn beside<'t>(&self, all: &'t [Self]) -> Vec<&'t Self> {
         let &[from, to] = self.line().points() else { return Vec::new() };
         let middle = from + (to - from) * 0.5;
         let is_on = |area: &Self| area.line().square_within(middle, f64::INFINITY) <= ALIKE * ALIKE;
-        let is_beside = |area: &&Self| area.is_area() && !area.line().contains(middle) && !is_on(area);
-        if self.has_ends() { all.iter().filter(is_beside).collect() } else { Vec::new() }
+        let areas: Vec<&Self> = all.iter().filter(|thing| self.has_ends() && thing.is_area()).collect();
+        let within = areas.iter().any(|area| area.holds(middle) || is_on(area));
+        if within { Vec::new() } else { areas }
     }
 }
 
