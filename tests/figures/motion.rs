@@ -101,40 +101,41 @@ fn figure_6_steps_from_the_estimate_to_the_tangent_and_starts_again_there() {
 #[test]
 fn figure_7_adds_up_the_fastest_approach_and_shows_what_is_left_at_the_bound() {
     let f = figure("07-conservative-bound");
-    let [w, then, at_last] = [0, 1, 2].map(|k| look(&f, k, [-3.0, -5.5, 3.8, 6.3]));
+    let [w, then, at_last] = [0, 1, 2].map(|k| look(&f, k, [-3.0, -4.8, 4.0, 6.0]));
     let shape_a = [(1.6, 1.0), (-1.4, 1.0), (-2.2, -0.4), (-1.0, -2.2), (2.4, -1.8)];
     let shape_b = [(-0.3, -2.0), (1.7, -1.0), (1.5, 2.0), (-0.9, 1.9), (-1.8, 0.0)];
     let turned = |(c, s): P| move |(x, y): P| (c * x - s * y, s * x + c * y);
-    // cos and sin of 0.5 · 0.4, of -0.4, and of both angles at the hit, t = 0.687707841908.
-    let t = 0.687_707_841_908;
-    let [a, a_hit] = [(0.980_066_577_841, 0.198_669_330_795), (0.941_462_434_597, 0.337_117_908_517)]
+    // cos and sin of 0.5 · 0.35, of -0.35, and of both angles at the hit, t = 0.677903364640.
+    let t = 0.677_903_364_640;
+    let [a, a_hit] = [(0.984_726_538_905, 0.174_108_137_594), (0.943_103_747_850, 0.332_498_602_692)]
         .map(|angle| shape_a.map(turned(angle)));
-    let [b, b_hit] = [(0.921_060_994_003, -0.389_418_342_309), (0.772_703_031_515, -0.634_767_693_797)]
+    let [b, b_hit] = [(0.939_372_712_847, -0.342_897_807_455), (0.778_889_358_416, -0.627_161_356_707)]
         .map(|angle| shape_b.map(turned(angle)));
     // B's vertex (1.7, -1) then, on A's edge of d.
-    let contact = (1.222_681_380_732, -0.114_931_636_692);
+    let contact = (1.035_902_234_919, 0.060_177_923_581);
     shows![
-        w.polygon(A, &moved(shape_a, (-0.5, -2.8))).is_some_and(|p| p.fill.is_some()),
-        w.polygon(B, &moved(shape_b, (0.2, 3.8))).is_some_and(|p| p.fill.is_some()),
-        w.along(Translation, (-0.1, -1.8), (-0.1, 1.8)),
+        w.polygon(A, &moved(shape_a, (-0.5, -2.2))).is_some_and(|p| p.fill.is_some()),
+        w.polygon(B, &moved(shape_b, (0.0, 3.6))).is_some_and(|p| p.fill.is_some()),
+        w.along(Translation, (-0.3, -1.2), (-0.3, 1.6)),
         // On the longer part of the edge, beside d.
-        w.arrow(Ink, (-1.0, -1.8), (-1.0, -0.8)),
-        w.arrow(Ink, (-0.5, -2.8), (1.0, -0.8)),
-        w.arrow(Ink, (0.2, 3.8), (0.7, 0.8)),
-        w.round((-0.5, -2.8), 0.7) && w.round((0.2, 3.8), 0.7),
-        then.polygon(A, &moved(a, (0.1, -2.0))).is_some_and(|p| p.fill.is_some()),
-        then.polygon(B, &moved(b, (0.4, 2.6))).is_some_and(|p| p.fill.is_some()),
+        w.arrow(Ink, (-1.1, -1.2), (-1.1, -0.2)),
+        w.arrow(Ink, (-0.5, -2.2), (1.0, -0.7)),
+        w.arrow(Ink, (0.0, 3.6), (0.5, 1.1)),
+        w.round((-0.5, -2.2), 0.6) && w.round((0.0, 3.6), 0.6),
+        then.polygon(A, &moved(a, (0.025, -1.675))).is_some_and(|p| p.fill.is_some()),
+        then.polygon(B, &moved(b, (0.175, 2.725))).is_some_and(|p| p.fill.is_some()),
         // From A's vertex to the foot on B's edge.
-        then.along(Translation, (1.469_437_194, -0.702_062_493), (1.360_755_475, 1.003_184_936)),
-        at_last.polygon(A, &moved(a_hit, (1.5 * t - 0.5, 2.0 * t - 2.8))).is_some_and(dashed),
-        at_last.polygon(B, &moved(b_hit, (0.5 * t + 0.2, 3.8 - 3.0 * t))).is_some_and(dashed),
+        then.along(Translation, (1.426_454_325, -0.411_700_441), (1.244_590_379, 1.181_648_518)),
+        at_last.polygon(A, &moved(a_hit, (1.5 * t - 0.5, 1.5 * t - 2.2))).is_some_and(|p| p.fill.is_some()),
+        at_last.polygon(B, &moved(b_hit, (0.5 * t, 3.6 - 2.5 * t))).is_some_and(|p| p.fill.is_some()),
         at_last.marker(Ink, contact),
-        f.says("$d = 3.6$"),
+        f.says("$d = 2.8$"),
         f.says("$x_1$, $x_2$") && f.says("$r_A = 3$") && f.says("$r_B = 2.5$"),
         f.says(r"$\omega_A = 0.5$") && f.says(r"$\omega_B = -1$"),
-        // 5 + 3 · 0.5 + 2.5 · 1 = 9, (1, 5)·(0, 1) of it by moving; 3.6 / 9 = 0.4, and what is left then.
-        f.texts.iter().any(|(t, _)| t.contains(r"$(v_A - v_B) \cdot n = 5$") && t.contains("4 together")),
-        f.texts.iter().filter(|(t, _)| t.replace('$', "") == "1.71 left").count() == 1,
+        // 4 + 3 · 0.5 + 2.5 · 1 = 8, (1, 4)·(0, 1) of it by moving; 2.8 / 8 = 0.35, and what is left then.
+        f.texts.iter().any(|(t, _)| t.contains(r"$(v_A - v_B) \cdot n = 4$") && t.contains("= 4$.")),
+        f.texts.iter().any(|(t, _)| t.contains("$4 + 4 = 8$") && t.contains("d / 8 = 0.35$")),
+        f.texts.iter().filter(|(t, _)| t.replace('$', "") == "1.60 left").count() == 1,
     ];
 }
 

@@ -5,7 +5,7 @@ use crate::collision::Pair;
 use crate::drawing::Role;
 use crate::figure::context::{Context, whole_turns};
 use crate::figure::sketch::{Anchor, Label, Pen, Size, Sketch, Weight};
-use crate::geometry::{DVec2, sort_by};
+use crate::geometry::{DVec2, Side, sort_by};
 
 /// Pieces of a curve at least, and for each full turn of its bodies: a chord is then within half a pixel of a
 /// curve that bends once over its panel, and a body of eight vertices that turns by another comes nearer and
@@ -59,7 +59,8 @@ impl<'c> Chart<'c> {
 
     /// A chart as wide as its panel but for the room at its left and right, and above its axis of values,
     /// page pixels; with values to the panel's own scale, from 0 at a height of its space: level with what
-    /// is there in a panel beside it.
+    /// is there in a panel beside it. Where the first body goes to the right, and its way keeps that room,
+    /// each time is where it is then: below what is there in a panel above.
     pub(super) fn level(
         sketch: &Sketch,
         context: &'c Context<'c>,
@@ -67,7 +68,9 @@ impl<'c> Chart<'c> {
         (height, most): (f64, DVec2),
     ) -> Self {
         let (lo, hi) = sketch.visible();
-        let ends = [lo.x + sketch.px(left), hi.x - sketch.px(right)];
+        let room = [lo.x + sketch.px(left), hi.x - sketch.px(right)];
+        let ends = way(context, most.x).filter(|w| room[0] <= w[0] && w[0] < w[1] && w[1] <= room[1]);
+        let ends = ends.unwrap_or(room);
         let area = [DVec2::new(ends[0], height), DVec2::new(ends[1], height + most.y)];
         let up_to = Some(hi.y - sketch.px(above) - height).filter(|top| *top > most.y);
         Self { context, area, least: 0.0, most, up_to }
@@ -119,6 +122,12 @@ impl<'c> Chart<'c> {
         let (at, half) = (self.place(time, 0.0), self.vector(DVec2::Y * sketch.px(TICK)));
         sketch.line(at - half, at + half, Pen::dimension(role));
     }
+}
+
+/// How far to the right the first body's origin is at the start and at a time.
+fn way(context: &Context, until: f64) -> Option<[f64; 2]> {
+    let at = |time| Some(context.pose(Side::A, time)?.position.x);
+    Some([at(0.0)?, at(until)?])
 }
 
 /// The height of B's closest point at the first step, above which separations can be drawn as they are.

@@ -79,7 +79,7 @@ pub(super) const LAYER: Layer = Layer {
             takes: Takes::Flag,
             default: "false",
             about: "separations to the panel's scale, above the height of B's closest point at the first \
-                    step: level with a panel beside it of the same view",
+                    step, and times below A where it goes to the right: level with a panel of the same view",
         },
     ],
     labels: &[

@@ -73,6 +73,12 @@ fn level_with_a_picture_of_the_same_view_separations_are_as_long_as_there() {
     let level = |[p, q]: [crate::drawing::Point; 2]| (p.y - q.y).abs() < 1e-6;
     let drawn = |look: &[_]| lines.iter().any(|l| level([l[0], look[1]]) && level([l[1], look[0]]));
     assert!(looks.len() > 1 && looks.iter().all(|look| drawn(look)), "{looks:?} in {lines:?}");
+    // A goes by 9 to the right, and each time is where it is then.
+    let context = plan.panels[1].context(&scene, &plan.runs);
+    for (look, step) in looks.iter().zip(&steps(&context)[1..]) {
+        let x = figure.panels[1].frame.page(crate::geometry::DVec2::new(9.0 * step.time, 0.0)).x;
+        assert!((look[0].x - x).abs() < 1e-6, "{look:?} is not at {x}");
+    }
 }
 
 #[test]
