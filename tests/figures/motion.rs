@@ -273,34 +273,34 @@ fn demo_linear_sweep_thins_the_edges_that_face_away() {
 #[test]
 fn demo_angular_sweep_shows_a_new_difference_at_each_of_its_two_steps() {
     let f = figure("demo-angular-sweep");
-    let b = [(3.822, -2.929), (4.8, -3.4), (5.5, -2.4), (4.842, -1.569)];
-    // A's vertices at t = 0 and 4.4 / 8 later, where n is that of B's edge, (0.8, -0.6); the closest points.
+    let b = [(3.6, -2.825), (4.5, -3.25), (5.2, -2.2), (4.59, -1.505)];
+    // A's vertices at t = 0 and 4 / 8 later, where n is that of B's edge, (0.8, -0.6); the closest points.
     let steps: [([P; 4], [P; 2], &str); 2] = [
         (
             [
-                (-0.503_229_577, -1.144_228_995),
-                (1.039_460_687, 0.694_277_668),
-                (0.503_229_577, 1.144_228_995),
-                (-1.039_460_687, -0.694_277_668),
+                (-0.657_578_078, -1.063_057_417),
+                (1.125_969_503, 0.542_856_039),
+                (0.657_578_078, 1.063_057_417),
+                (-1.125_969_503, -0.542_856_039),
             ],
-            [(1.039_460_687, 0.694_277_668), (4.559_459_128, -1.945_721_163)],
-            "$d = 4.40$",
+            [(1.125_969_503, 0.542_856_039), (4.325_919_920, -1.857_106_774)],
+            "$d = 4.00$",
         ),
         (
             [
-                (1.089_490_713, -1.995_535_687),
-                (3.427_739_967, -2.536_451_973),
-                (3.585_507_217, -1.854_462_608),
-                (1.247_257_963, -1.313_546_322),
+                (0.875_144_477, -1.771_031_750),
+                (3.190_138_734, -2.404_120_677),
+                (3.374_789_671, -1.728_914_018),
+                (1.059_795_413, -1.095_825_092),
             ],
-            [(3.427_739_967, -2.536_451_973), (3.868_489_441, -2.867_014_079)],
-            "$d = 0.55$",
+            [(3.190_138_734, -2.404_120_677), (3.654_472_019, -2.752_370_641)],
+            "$d = 0.58$",
         ),
     ];
-    let view = [-1.6, -4.1, 6.3, 1.9];
+    let view = [-1.85, -3.9, 5.95, 1.6];
     for (i, (a, [p, q], said)) in steps.into_iter().enumerate() {
         let world = look(&f, 2 * i, view);
-        let conf = look(&f, 2 * i + 1, [-1.15, -4.76, 6.75, 1.24]);
+        let conf = look(&f, 2 * i + 1, [-1.2, -4.47, 6.6, 1.03]);
         shows![
             world.polygon(A, &a).is_some_and(|path| path.fill.is_some()),
             world.polygon(B, &b).is_some(),
@@ -315,12 +315,12 @@ fn demo_angular_sweep_shows_a_new_difference_at_each_of_its_two_steps() {
     }
     let start = steps[0].0;
     shows![
-        // Where it started, dotted beside where it is, and the way there: 0.55 of (4.25, -3.5).
+        // Where it started, dotted beside where it is, and the way there: half of (4.25, -3.5).
         look(&f, 2, view).polygon(A, &start).is_some_and(dashed),
-        look(&f, 2, view).along(A, (0.0, 0.0), (2.337_499, -1.924_999)),
-        // (4.25, -3.5) · (0.8, -0.6), and 1.25 · 2; 4.4 / 8.
+        look(&f, 2, view).along(A, (0.0, 0.0), (2.124_967_074, -1.749_972_884)),
+        // (4.25, -3.5) · (0.8, -0.6), and 1.25 · 2; 4 / 8.
         ["5.5", "2.5"].iter().all(|number| f.texts.iter().any(|(text, _)| text.contains(number))),
-        ["0", "0.55"].iter().all(|t| f.texts.iter().any(|(text, _)| text.ends_with(&format!("= {t}$")))),
+        ["0", "0.5"].iter().all(|t| f.texts.iter().any(|(text, _)| text.ends_with(&format!("= {t}$")))),
     ];
 }
 

@@ -71,14 +71,14 @@ const READABLE: [f64; 2] = [24.0, 96.0];
 /// The keys of the names of each tangent and of the end of the cone square to it, the left tangent first.
 const NAMES: [[&str; 2]; 2] = [["t_1", "n_1"], ["t_2", "n_2"]];
 
-/// The colour of the ends of the cone and of the tangents that they are square to: with these they turn.
+/// The colour of the ends of the cone and of the tangents that they are square to.
 const TURNED: Role = Role::Now;
 
 /// Width of a tangent and of the line square to n, page pixels: less than that of an end of the cone.
 const TANGENT: f64 = 1.25;
 
 /// The words of the option `show`.
-const PARTS: [&str; 2] = ["line", "cone"];
+const PARTS: [&str; 4] = ["line", "cone", "n_1", "n_2"];
 
 pub(super) const LAYER: Layer = Layer {
     name: "separating-cone",
@@ -97,8 +97,9 @@ pub(super) const LAYER: Layer = Layer {
             name: "show",
             takes: Takes::Words(&PARTS),
             default: "all",
-            about: "which parts: the direction of the greatest gap with the line square to it, or the \
-                tangents with the cone",
+            about: "which parts: the direction of the greatest gap with the line square to it; the tangents \
+                with the cone; of these what that direction passes up to n_1, with its tangent; the whole \
+                cone with that of n_2",
         },
     ],
     labels: &[
@@ -127,6 +128,8 @@ struct Cone {
     touching: [DVec2; 2],
     /// The direction of the greatest gap.
     normal: DVec2,
+    /// Its angle, in radians, between the two ends of the cone.
+    ahead: f64,
     /// The greatest gap: from the line through O square to `normal` to B ⊖ A.
     gap: f64,
     /// The vertices of its core that are nearest to that line: one, or the ends of an edge.
@@ -142,10 +145,10 @@ fn cone(context: &Context) -> Option<Cone> {
     }
     let normal = *answer.normal;
     let origin = context.estimate();
-    let core = found.edges.iter().map(|edge| edge.from).chain(found.center);
+    let core: Vec<DVec2> = found.edges.iter().map(|edge| edge.from).chain(found.center).collect();
     // Angles from n, between −90° and 90°, of both tangents to the disc about each vertex.
-    let seen = core.map(|p| {
-        let p = p - origin;
+    let seen = core.iter().map(|p| {
+        let p = *p - origin;
         let angle = libm::atan2(normal.perp_dot(p), normal.dot(p));
         let half = libm::asin((found.radius / p.length()).min(1.0));
         let far = (p.length_squared() - found.radius * found.radius).max(0.0).sqrt();
@@ -156,11 +159,10 @@ fn cone(context: &Context) -> Option<Cone> {
     let base = angle_of(normal);
     let tangents = [base + first.0, base + last.0];
     let touching = [on_circle(origin, first.1, tangents[0]), on_circle(origin, last.1, tangents[1])];
-    let core: Vec<DVec2> = found.edges.iter().map(|edge| edge.from).chain(found.center).collect();
     let ahead = |p: DVec2| normal.dot(p - origin);
     let least = core.iter().map(|p| ahead(*p)).fold(f64::INFINITY, f64::min);
     let nearest = core.into_iter().filter(|p| ahead(*p) <= least * (1.0 + LEVEL_PART)).collect();
-    Some(Cone { tangents, touching, normal, gap: answer.separation, nearest })
+    Some(Cone { tangents, touching, normal, ahead: base, gap: answer.separation, nearest })
 }
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
@@ -168,13 +170,13 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let role = options.role(Role::Translation);
     sketch.since(context.separation_at(context.time).map(|run| run.end()));
     let origin = context.estimate();
-    let [line, turned] = PARTS.map(|part| options.shows("show", part, true));
-    let names = options.flag("names", false);
+    let [line, cone, first, second] = PARTS.map(|part| options.shows("show", part, true));
+    let (ends, names) = ([cone || first, cone || second], options.flag("names", false));
     if line {
-        square(sketch, &found, origin, (role, names, !turned));
+        square(sketch, &found, origin, (role, names, ends == [false; 2]));
     }
-    if turned {
-        fan(sketch, &found, origin, (role, names));
+    if ends != [false; 2] {
+        fan(sketch, &found, origin, (role, names, ends));
     }
     // As long as what it is compared with.
     let [least, most] = READABLE.map(|px| sketch.px(px));
@@ -190,32 +192,46 @@ fn radius(sketch: &Sketch, cone: &Cone) -> f64 {
     if (sketch.px(FREE.1)..=most).contains(&1.0) { 1.0 } else { most }
 }
 
-/// Draws the cone, and the tangents that its ends are square to.
-fn fan(sketch: &mut Sketch, cone: &Cone, origin: DVec2, (role, names): (Role, bool)) {
+/// Draws the cone, and the tangents that its `ends` are square to: of the first alone the cone from n on.
+fn fan(sketch: &mut Sketch, cone: &Cone, origin: DVec2, (role, names, ends): (Role, bool, [bool; 2])) {
     let radius = radius(sketch, cone);
-    let (start, end) = (cone.tangents[1] - FRAC_PI_2, cone.tangents[0] + FRAC_PI_2);
+    let turns = [cone.tangents[1] - FRAC_PI_2, cone.tangents[0] + FRAC_PI_2];
+    let (start, end) = (turns[0], if ends[1] { turns[1] } else { cone.ahead });
     let sector = Outline::sector(origin, radius, start, end - start);
     sketch.part("cone").area(&sector, Some(Wash::faint(role, FILL)), None);
-    let [past, behind] = [PAST, BACK].map(|px| sketch.px(px));
-    let ends = [(cone.tangents[1], start, cone.touching[1]), (cone.tangents[0], end, cone.touching[0])];
-    for ((tangent, edge, touching), keys) in ends.into_iter().zip(NAMES) {
-        let (back, beyond) = (on_circle(origin, behind, tangent + PI), on_circle(touching, past, tangent));
-        let of_cone = on_circle(origin, radius, edge);
-        sketch.part("tangent").weight(Weight::Light).line(back, beyond, Pen::vector(TURNED).width(TANGENT));
+    let touched = [(cone.tangents[1], cone.touching[1]), (cone.tangents[0], cone.touching[0])];
+    for (i, [tangent, name]) in NAMES.into_iter().enumerate().take(if ends[1] { 2 } else { 1 }) {
+        let of_cone = on_circle(origin, radius, turns[i]);
+        if ends[i] {
+            square_tangent(sketch, origin, touched[i], (turns[i], names.then_some(tangent)));
+        }
         sketch.part("cone-edge").arrow(origin, of_cone, Pen::highlighted(TURNED));
-        right_angle(sketch, origin, [tangent + PI, edge]);
-        sketch.part("touching").marker(touching, Marker::Diamond, Role::Difference, MARKER);
         if names {
-            for (key, tip) in keys.into_iter().zip([beyond, of_cone]) {
-                sketch.label(Label::new(key, format!("${key}$"), Anchor::tip(origin, tip), TURNED));
-            }
+            sketch.label(Label::new(name, format!("${name}$"), Anchor::tip(origin, of_cone), TURNED));
         }
     }
-    let degrees = number((end - start) * (180.0 / PI));
-    let (radius, sweep) = (ANGLE * radius, end - start);
-    let anchor = Anchor::Arc { center: origin, radius, start, sweep };
-    let label = Label::new("cone", format!("${degrees}°$"), anchor, role);
-    sketch.label(label.size(Size::Note));
+    if ends[1] {
+        let (radius, sweep) = (ANGLE * radius, end - start);
+        let (anchor, degrees) = (Anchor::Arc { center: origin, radius, start, sweep }, sweep * (180.0 / PI));
+        sketch.label(Label::new("cone", format!("${}°$", number(degrees)), anchor, role).size(Size::Note));
+    }
+}
+
+/// Draws a tangent from O, with the right angle to the end of the cone that is turned so far, and its name.
+fn square_tangent(
+    sketch: &mut Sketch,
+    origin: DVec2,
+    (tangent, touching): (f64, DVec2),
+    (turn, name): (f64, Option<&'static str>),
+) {
+    let [past, behind] = [PAST, BACK].map(|px| sketch.px(px));
+    let (back, beyond) = (on_circle(origin, behind, tangent + PI), on_circle(touching, past, tangent));
+    sketch.part("tangent").weight(Weight::Light).line(back, beyond, Pen::vector(TURNED).width(TANGENT));
+    right_angle(sketch, origin, [tangent + PI, turn]);
+    sketch.part("touching").marker(touching, Marker::Diamond, Role::Difference, MARKER);
+    if let Some(key) = name {
+        sketch.label(Label::new(key, format!("${key}$"), Anchor::tip(origin, beyond), TURNED));
+    }
 }
 
 /// Draws the line through O square to n, and beside B ⊖ A the gap between the two: on the side where a
@@ -269,6 +285,11 @@ mod tests {
     use crate::figure::{draw, plan};
     use crate::scene::open_text;
 
+    /// Two bodies that are apart, and the question.
+    const BODIES: &str = "shapes.A = { kind = 'polygon', vertices = [[-2, -1], [1, -2], [3, 0], [-1, 3]] }
+        shapes.B = { kind = 'polygon', vertices = [[2, 3.5], [6, 1], [6.5, 4], [3, 6]] }
+        query = { kind = 'separation', of = ['A', 'B'] }\n";
+
     /// Whether a direction separates two polygons rounded by `radius`, by all their vertices.
     fn separates(direction: DVec2, scene: &crate::scene::Scene, radius: f64) -> f64 {
         let reach = |i: usize, n: DVec2| {
@@ -307,11 +328,8 @@ mod tests {
 
     #[test]
     fn the_gap_is_drawn_as_long_as_it_is_written() {
-        let text = "shapes.A = { kind = 'polygon', vertices = [[-2, -1], [1, -2], [3, 0], [-1, 3]] }
-            shapes.B = { kind = 'polygon', vertices = [[2, 3.5], [6, 1], [6.5, 4], [3, 6]] }
-            query = { kind = 'separation', of = ['A', 'B'] }
-            panels = [{ space = 'configuration', layers = ['difference', 'separating-cone'] }]";
-        let scene = open_text("cone", text).unwrap().scene;
+        let panel = "panels = [{ space = 'configuration', layers = ['difference', 'separating-cone'] }]";
+        let scene = open_text("cone", &format!("{BODIES}{panel}")).unwrap().scene;
         let plan = plan(&scene).unwrap();
         let figure = draw(&plan, plan.theme, "cone");
         // A's edge 3x + 4y = 9 and B's vertex (2, 3.5), where that is 20.
@@ -321,11 +339,9 @@ mod tests {
 
     #[test]
     fn each_end_of_the_cone_has_the_number_of_the_tangent_that_it_is_square_to() {
-        let text = "shapes.A = { kind = 'polygon', vertices = [[-2, -1], [1, -2], [3, 0], [-1, 3]] }
-            shapes.B = { kind = 'polygon', vertices = [[2, 3.5], [6, 1], [6.5, 4], [3, 6]] }
-            query = { kind = 'separation', of = ['A', 'B'] }
-            panels = [{ space = 'configuration', layers = [{ layer = 'separating-cone', names = true }] }]";
-        let scene = open_text("cone", text).unwrap().scene;
+        let layers = "[{ layer = 'separating-cone', names = true }]";
+        let text = format!("{BODIES}panels = [{{ space = 'configuration', layers = {layers} }}]");
+        let scene = open_text("cone", &text).unwrap().scene;
         let plan = plan(&scene).unwrap();
         let figure = draw(&plan, plan.theme, "cone");
         let panel = &figure.panels[0];
@@ -342,30 +358,31 @@ mod tests {
     }
 
     #[test]
-    fn the_line_and_the_cone_can_be_shown_apart_and_its_ends_have_the_colour_of_their_tangents() {
-        let cases = [("", [1, 1]), (", show = ['line']", [1, 0]), (", show = ['cone']", [0, 1])];
-        for (show, [line, cone]) in cases {
-            let text = format!(
-                "shapes.A = {{ kind = 'polygon', vertices = [[-2, -1], [1, -2], [3, 0], [-1, 3]] }}
-                shapes.B = {{ kind = 'polygon', vertices = [[2, 3.5], [6, 1], [6.5, 4], [3, 6]] }}
-                query = {{ kind = 'separation', of = ['A', 'B'] }}
-                panels = [{{ space = 'configuration',
-                    layers = [{{ layer = 'separating-cone', names = true{show} }}] }}]"
-            );
+    fn the_line_and_each_end_of_the_cone_can_be_shown_apart_and_ends_have_the_colour_of_their_tangents() {
+        let cases = [
+            ("", [1, 2, 2]),
+            (", show = ['line']", [1, 0, 0]),
+            (", show = ['cone']", [0, 2, 2]),
+            (", show = ['n_1']", [0, 1, 1]),
+            (", show = ['n_2']", [0, 1, 2]),
+        ];
+        for (show, [line, tangents, ends]) in cases {
+            let layers = format!("[{{ layer = 'separating-cone', names = true{show} }}]");
+            let text = format!("{BODIES}panels = [{{ space = 'configuration', layers = {layers} }}]");
             let scene = open_text("cone", &text).unwrap().scene;
             let plan = plan(&scene).unwrap();
             let figure = draw(&plan, plan.theme, "cone");
             let all = labels(&figure);
-            assert_eq!([all.contains_key("line"), all.contains_key("t_1")], [line > 0, cone > 0], "{show}");
-            assert!(all.contains_key("n"), "{show}");
+            let named = ["n", "line", "n_1", "n_2", "cone"].map(|key| all.contains_key(key));
+            assert_eq!(named, [true, line > 0, ends > 0, ends > 1, ends > 1], "{show}");
             let roles = |part: &str| -> Vec<Option<Role>> {
                 let strokes = paths(&figure.drawing.items, part);
                 strokes.iter().filter_map(|p| p.stroke.as_ref()).map(|s| s.paint.role).collect()
             };
             assert_eq!(roles("square-line").len(), line, "{show}");
-            assert_eq!(paths(&figure.drawing.items, "lit").len(), usize::from(line > cone), "{show}");
-            assert_eq!(roles("tangent"), vec![Some(TURNED); 2 * cone], "{show}");
-            assert_eq!(roles("cone-edge"), vec![Some(TURNED); 2 * cone], "{show}");
+            assert_eq!(paths(&figure.drawing.items, "lit").is_empty(), line == 0 || ends > 0, "{show}");
+            assert_eq!(roles("tangent"), vec![Some(TURNED); tangents], "{show}");
+            assert_eq!(roles("cone-edge"), vec![Some(TURNED); ends], "{show}");
         }
     }
 
