@@ -29,7 +29,7 @@ fn dotted(path: &Path) -> bool {
 #[test]
 fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
     let f = figure("04-minkowski-difference");
-    let view = [-4.75, -4.85, 5.05, 4.75];
+    let view = [-4.75, -5.05, 5.05, 4.75];
     let triangle = |x: f64, y: f64| [(x - 1.0, y - 1.0), (x + 1.9, y - 0.6), (x + 0.2, y + 1.2)];
     let a = [(-1.0, 1.0), (-2.0, -1.0), (1.0, -3.0), (3.0, -2.0)];
     let world = look(&f, 0, view);
@@ -59,7 +59,7 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
         [(-3.4, 0.6), (-0.7, -3.2)].into_iter().all(around),
         f.says("grown $A$"),
     ];
-    let conf = look(&f, 2, [-3.1, -1.6, 6.7, 8.0]);
+    let conf = look(&f, 2, [-3.1, -1.7, 6.7, 8.1]);
     edges_wear_their_source(
         &conf,
         &[
