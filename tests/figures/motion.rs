@@ -221,12 +221,12 @@ fn frames_continuous_tests_the_whole_way_and_stops_a_where_it_touches() {
 #[test]
 fn demo_linear_sweep_thins_the_edges_that_face_away() {
     let f = figure("demo-linear-sweep");
-    let world = look(&f, 0, [-7.75, -2.75, 8.75, 9.25]);
-    let a = [(3.5, 7.5), (6.5, 5.0), (7.5, 8.0)];
-    // After 0.8 of (-7.5, -6.25), A's vertex (3.5, 7.5) is on B's edge from (-2, -1.5) to (-2.75, 4.5).
+    let world = look(&f, 0, [-7.4, -0.7, 8.4, 11.7]);
+    let a = [(3.5, 7.5), (6.5, 6.5), (7.5, 9.0), (4.5, 10.5)];
+    // After 0.8 of (-7.5, -6.25), A's vertex (3.5, 7.5) is on B's edge from (-2, 0.5) to (-3.25, 5.5).
     shows![
         world.polygon(A, &a).is_some(),
-        world.polygon(B, &[(-2.0, -1.5), (-2.75, 4.5), (-6.5, 3.5), (-5.0, -0.5)]).is_some(),
+        world.polygon(B, &[(-2.0, 0.5), (-3.25, 5.5), (-6.5, 1.0)]).is_some(),
         world.polygon(A, &moved(a, (-6.0, -5.0))).is_some_and(dashed),
         world.line(Now, (3.5, 7.5), (-2.5, 2.5)).is_some(),
         world.arrow(Ink, (3.5, 7.5), (-4.0, 1.25)),
@@ -234,16 +234,16 @@ fn demo_linear_sweep_thins_the_edges_that_face_away() {
         f.says("$A$ at $t = 0.8$"),
         f.says("$v_A$ $= (-7.5, -6.25)$"),
     ];
-    let conf = look(&f, 1, [-15.45, -11.0, 1.05, 1.0]);
+    let conf = look(&f, 1, [-14.9, -11.1, 0.9, 1.3]);
     // Edges that face the ray have a normal against (-7.5, -6.25).
     let edges = [
-        ((-14.0, -4.5), B, true),
-        ((-12.5, -8.5), B, true),
-        ((-9.5, -9.5), A, true),
-        ((-5.5, -9.0), B, false),
-        ((-6.25, -3.0), A, false),
-        ((-9.25, -0.5), B, false),
-        ((-13.0, -1.5), A, true),
+        ((-11.0, -9.5), B, true),
+        ((-6.5, -10.0), A, false),
+        ((-5.5, -7.0), B, false),
+        ((-6.75, -2.0), A, false),
+        ((-9.75, -1.0), B, true),
+        ((-13.0, -5.5), A, true),
+        ((-14.0, -8.0), A, true),
     ];
     for (i, &(from, role, culled)) in edges.iter().enumerate() {
         let edge = conf.edge(role, from, edges[(i + 1) % 7].0);
@@ -256,16 +256,19 @@ fn demo_linear_sweep_thins_the_edges_that_face_away() {
         let (x, y) = (middle(from.0, to.0), middle(from.1, to.1));
         let role = if culled { Muted } else { Ink };
         // That of the edge that the ray enters stands clear of there, at (-6, -5).
-        let (x, y) = if i == 3 { (-5.75, -7.0) } else { (x, y) };
-        let tip = (x + 1.25 * dy / size, y - 1.25 * dx / size);
+        let (x, y) = if i == 2 { (-6.375, -3.5) } else { (x, y) };
+        let tip = (x + dy / size, y - dx / size);
         assert!(conf.arrow(role, (x, y), tip), "the normal of edge {i}");
     }
     shows![
         conf.marker(Ink, (0.0, 0.0)),
         conf.line(Now, (0.0, 0.0), (-6.0, -5.0)).is_some(),
         conf.arrow(Ink, (0.0, 0.0), (-7.5, -6.25)),
-        f.says(r"$n_i \cdot v < 0$"),
-        f.says("$t = 0.8$") && f.says("$v$"),
+        f.says("$n_i$") && f.says("$v$"),
+        conf.text_near("$t = 0.8$", (-6.0, -5.0), 60.0),
+        // The lines of the two others that look against it are met before: x + 3y = -12.75, 3x - y = -9.5.
+        conf.line(Muted, (-6.75, -2.0), (-12.75 / 3.5, -12.75 / 4.2)).is_some_and(dashed),
+        conf.line(Muted, (-5.5, -7.0), (-9.5 / (3.0 - 5.0 / 6.0), -9.5 / 2.6)).is_some_and(dashed),
         f.says(r"$B \ominus A$"),
     ];
 }

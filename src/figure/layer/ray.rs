@@ -7,10 +7,13 @@
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, MARKER, Marker, Pen, Rank, Size, Sketch};
+use crate::figure::sketch::{
+    Anchor, LARGE_MARKER, Label, MARKER, Marker, Pen, Rank, SMALL_MARKER, Size, Sketch, Weight,
+};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
 use crate::scene::When;
+use crate::trace::{Culling, Event};
 
 use super::held;
 use super::velocity::{label_of_hit, text, underlay};
@@ -52,6 +55,13 @@ pub(super) const LAYER: Layer = Layer {
             default: "false",
             about: "writes the times of its ends",
         },
+        OptionSpec {
+            name: "lines",
+            takes: Takes::Flag,
+            default: "false",
+            about: "the lines of the edges that look against it and that it misses, from their edges to where it \
+                    meets them before the hit, dashed",
+        },
     ],
     labels: &[
         LabelKey { key: "v", about: "the relative velocity" },
@@ -59,7 +69,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "part.B", about: "velocity of the second body, reversed, as a part of it" },
         LabelKey {
             key: "t",
-            about: "time of the hit, along the free way; without its band, or with ends, at the hit",
+            about: "time of the hit, along the free way; without its band, with ends or with lines, at the hit",
         },
         LabelKey { key: "start", about: "the time where it starts, with ends" },
         LabelKey { key: "end", about: "the time where it ends, with ends" },
@@ -97,6 +107,10 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         parts(sketch, context, options, from);
     }
     sketch.since(None).part("ray").arrow(from, tip, Pen::vector(role));
+    let lined = options.flag("lines", false);
+    if lined {
+        missed(sketch, context, from, v);
+    }
     // Where the times stand at its points, its own place is between them.
     let timed = options.flag("ends", false);
     let named = if timed { Anchor::middle(from, tip) } else { Anchor::tip(from, tip) };
@@ -104,7 +118,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     if let Some(time) = hit {
         let hit = from + v * time.lo;
         sketch.since(context.answered());
-        let along = options.flag("free", true) && !timed;
+        let along = options.flag("free", true) && !timed && !lined;
         sketch.label(label_of_hit(time, if along { Anchor::middle(from, hit) } else { Anchor::point(hit) }));
         sketch.part("hit").marker(hit, Marker::Diamond, Role::Now, LARGE_MARKER);
     }
@@ -116,6 +130,26 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
     if let Some(now) = context.now {
         sketch.since(None).part("now").marker(from + v * now, Marker::Disc, role, MARKER);
+    }
+}
+
+/// Draws the lines of the edges that the ray `from` along v misses on its way to the hit: it meets the line of
+/// the edge that it enters through last.
+fn missed(sketch: &mut Sketch, context: &Context, from: DVec2, v: DVec2) {
+    let Some(hit) = context.hit_time() else { return };
+    let run = context.run();
+    let told = run.told(|event| match *event {
+        Event::RayClipped { from, to, outcome: Culling::Missed, time: Some(time), .. } => {
+            Some((from, to, time))
+        }
+        _ => None,
+    });
+    for (p, q, time) in told.filter(|(p, q, time)| p != q && (0.0..hit.lo).contains(time)) {
+        let meets = from + v * time;
+        let end = if meets.distance_squared(p) < meets.distance_squared(q) { p } else { q };
+        sketch.since(context.answered()).part("line").weight(Weight::Light);
+        sketch.line(end, meets, Pen::construction());
+        sketch.part("meets").marker(meets, Marker::Disc, Role::Muted, SMALL_MARKER);
     }
 }
 
@@ -152,7 +186,7 @@ fn parts(sketch: &mut Sketch, context: &Context, options: &Options, from: DVec2)
 
 #[cfg(test)]
 mod tests {
-    use crate::figure::layer::tests::labels;
+    use crate::figure::layer::tests::{labels, paths, points};
     use crate::figure::{Pull, draw, plan};
     use crate::geometry::DVec2;
     use crate::scene::open_text;
@@ -171,6 +205,27 @@ mod tests {
             let labels = labels(&draw(&plan, plan.theme, "ray"));
             let said = ["start", "end"].map(|key| labels.get(key).map(|label| label.1));
             assert_eq!(said, expected, "{options}");
+        }
+    }
+
+    #[test]
+    fn the_lines_that_it_meets_are_those_of_edges_that_look_against_it_before_the_hit() {
+        for (option, count) in [("", 0), (", lines = true", 1)] {
+            let text = format!(
+                "shapes.A = {{ kind = 'box', half_extents = [1, 1], velocity = [8, 4] }}
+                shapes.B = {{ kind = 'box', half_extents = [1, 1], position = [5, 3] }}
+                query = {{ kind = 'linear-sweep', of = ['A', 'B'] }}
+                panels = [{{ space = 'configuration', layers = [{{ layer = 'ray'{option} }}] }}]"
+            );
+            let scene = open_text("ray", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let figure = draw(&plan, plan.theme, "ray");
+            // It meets y = 1, the line of two edges below B ⊖ A, at (2, 1), then x = 3 at (3, 1.5).
+            let frame = &figure.panels[0].frame;
+            let place = frame.page(DVec2::new(2.0, 1.0));
+            let lines = paths(&figure.drawing.items, "line");
+            let met = lines.iter().filter(|line| (points(line)[1] - place).length() < 1e-6).count();
+            assert_eq!((met > 0, lines.len() == met), (count > 0, true), "{option}");
         }
     }
 
