@@ -59,8 +59,8 @@ pub(super) const LAYER: Layer = Layer {
             name: "lines",
             takes: Takes::Flag,
             default: "false",
-            about: "the lines of the edges that look against it and that it misses, from their edges to where it \
-                    meets them before the hit, dashed",
+            about: "dashed lines from the edges that look against it and that it misses, to where it meets \
+                    their lines before the hit",
         },
     ],
     labels: &[
@@ -69,7 +69,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "part.B", about: "velocity of the second body, reversed, as a part of it" },
         LabelKey {
             key: "t",
-            about: "time of the hit, along the free way; without its band, with ends or with lines, at the hit",
+            about: "time of the hit, along the free way; without its band, with ends or lines, at the hit",
         },
         LabelKey { key: "start", about: "the time where it starts, with ends" },
         LabelKey { key: "end", about: "the time where it ends, with ends" },
@@ -133,8 +133,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
 }
 
-/// Draws the lines of the edges that the ray `from` along v misses on its way to the hit: it meets the line of
-/// the edge that it enters through last.
+/// Draws the lines of the edges that the ray `from` along v misses on its way to the hit: it meets the line
+/// of the edge that it enters through last.
 fn missed(sketch: &mut Sketch, context: &Context, from: DVec2, v: DVec2) {
     let Some(hit) = context.hit_time() else { return };
     let run = context.run();
