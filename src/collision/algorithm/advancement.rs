@@ -161,7 +161,8 @@ impl Advancement<'_> {
     }
 
     /// The outcome where the bodies came within the tolerance: a hit only if contact is proved a little
-    /// later, or, where bodies that don't turn only graze each other, at the moment that is proved for it.
+    /// later, or, where bodies that don't turn only graze each other, at the moment that is proved for it. A
+    /// miss of those by less than the tolerance is one, if it is proved.
     fn arrived(&self, t: f64, near: &Separation) -> Outcome {
         let speed = closing_speed(self.a, self.b, t, near);
         let later = if speed > 0.0 { (t + 2.0 * self.tolerance / speed).min(1.0) } else { 1.0 };
@@ -171,6 +172,7 @@ impl Advancement<'_> {
         }
         match self.is_unturned().then(|| Sweep::new(self.a, self.b).first_contact()) {
             Some(Outcome::Hit { time, .. }) if time.hi > t => hit(time.hi),
+            Some(Outcome::Miss) => Outcome::Miss,
             _ => Outcome::Unresolved { reason: Reason::WithinTolerance, free_until: t },
         }
     }
@@ -236,6 +238,18 @@ mod tests {
                 let Outcome::Hit { time, .. } = found.outcome else { panic!("{name}: {found:?}") };
                 let touch = 1.0 / v[0];
                 assert!(time.lo < touch && touch <= time.hi && time.hi - touch < 1e-15, "{name}: {time:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn boxes_that_miss_each_other_by_the_last_bit_miss() {
+        let square = polygon(&[[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]], 0.0);
+        let b = placed(square.clone(), 4.0, 0.0, 0.0);
+        for (y, word) in [(2.0, "hit"), (2.0_f64.next_up(), "miss")] {
+            let a = Body { position: DVec2::new(0.0, y), ..moving(square.clone(), [3.0, 0.0], 0.0) };
+            for name in ["ray-clipping", "conservative-advancement"] {
+                assert_eq!(impact(name, &a, &b, 1e-12).0.outcome.word(), word, "{name} at {y}");
             }
         }
     }
