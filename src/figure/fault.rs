@@ -212,6 +212,10 @@ impl Explain for Fault {
         }
     }
 
+    fn remedy(&self) -> Option<String> {
+        if let Self::Scene(fault) = self { fault.remedy() } else { self.help() }
+    }
+
     fn help(&self) -> Option<String> {
         match self {
             Self::Scene(fault) => fault.help(),
@@ -248,14 +252,19 @@ impl Explain for Fault {
                  too"
                     .to_owned(),
             ),
-            Self::NoSuchStep { .. }
-            | Self::OtherMoment { .. }
+            Self::NoSuchStep { took: 0, .. } => Some("without the key `step` it shows the answer".to_owned()),
+            Self::NoSuchStep { took, .. } => Some(format!("they are numbered from 1 to {took}")),
+            Self::BadTheme { .. } => Some("`tracefig list themes` has those that are built in".to_owned()),
+            Self::BadMarkup { .. } => Some(
+                "values stand as `{=time}`, words in a colour as `{a|words}`, formulas as `$x$`; `\\$` is a \
+                 dollar"
+                    .to_owned(),
+            ),
+            Self::OtherMoment { .. }
             | Self::OtherStep { .. }
             | Self::NothingToDraw { .. }
             | Self::NothingForOption { .. }
-            | Self::NoValue { .. }
-            | Self::BadTheme { .. }
-            | Self::BadMarkup { .. } => None,
+            | Self::NoValue { .. } => None,
         }
     }
 }

@@ -97,7 +97,7 @@ pub(super) fn message_at<F: Explain>(
     } else {
         elements.push(Origin::path(name.as_str()).into());
     }
-    elements.extend(fault.help().map(|help| Level::HELP.message(brief(&help)).into()));
+    elements.extend(fault.remedy().map(|help| Level::HELP.message(brief(&help)).into()));
     elements.extend(
         pointer
             .filter(|pointer| !pointer.is_empty())

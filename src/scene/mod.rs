@@ -33,6 +33,7 @@ mod project_fields;
 mod question;
 mod read;
 mod recognized;
+mod remedy;
 mod schema;
 pub(crate) mod set;
 mod solution;

@@ -7,12 +7,10 @@
 use std::fmt;
 use std::ops::Range;
 
-use crate::geometry::shape::{KINDS, Kind, ShapeError};
+use crate::geometry::shape::ShapeError;
 use crate::geometry::sort_by;
 
 use super::codes;
-use super::elsewhere::elsewhere;
-use super::suggest::{nearest_or_all, quoted};
 
 /// What is wrong.
 #[derive(Clone, Debug, PartialEq)]
@@ -203,6 +201,12 @@ pub trait Explain: fmt::Display {
     /// What would help, where something is known that would.
     fn help(&self) -> Option<String>;
 
+    /// What would help, for a reader who looks at the scene: of an error always something, if only what helps
+    /// against any of its kind.
+    fn remedy(&self) -> Option<String> {
+        self.help()
+    }
+
     /// Whether it lies at a place in the text, which is then quoted; a file that can't be read has none.
     fn has_place(&self) -> bool {
         true
@@ -216,6 +220,10 @@ impl Explain for Fault {
 
     fn help(&self) -> Option<String> {
         Self::help(self)
+    }
+
+    fn remedy(&self) -> Option<String> {
+        self.help().or_else(|| Some(self.general()))
     }
 
     fn has_place(&self) -> bool {
@@ -254,59 +262,6 @@ impl Fault {
             Self::Shape(error) => error.code,
         }
     }
-
-    /// What would help: the nearest known word, or all that are known; `None` where nothing can be said.
-    ///
-    /// ```
-    /// let fault = tracefig::scene::Fault::TurningBody { body: "A".to_owned() };
-    /// assert_eq!(fault.help().as_deref(), Some("ask for a `time-of-impact`"));
-    /// ```
-    #[must_use]
-    pub fn help(&self) -> Option<String> {
-        match self {
-            Self::UnknownKey { key, known, .. } => {
-                elsewhere(key, known).or_else(|| nearest_or_all(key, known))
-            }
-            Self::UnknownWord { got, known, .. } | Self::UnknownBody { got, known } => {
-                nearest_or_all(got, known)
-            }
-            Self::UnsuitedAlgorithm { suited, .. } if !suited.is_empty() => {
-                Some(format!("these do: {}", quoted(suited)))
-            }
-            Self::Empty => Some("a scene needs at least [shapes.A] and [query]".to_owned()),
-            Self::BlankLine => Some("each line of a stream is a scene as JSON".to_owned()),
-            Self::NotUtf8 => Some("save it as UTF-8, not as UTF-16 or Latin-1".to_owned()),
-            Self::TurningBody { .. } => Some("ask for a `time-of-impact`".to_owned()),
-            Self::MissingKey { key, .. } if key == "query" => {
-                Some("as: query = { kind = \"separation\", of = [\"A\", \"B\"] }".to_owned())
-            }
-            Self::MissingKey { key, .. } if key == "shapes" => {
-                Some("as: shapes.A = { kind = \"circle\", radius = 1 }".to_owned())
-            }
-            Self::WrongType { key, expected, got }
-                if got == "a table" && expected.starts_with("a list of") =>
-            {
-                Some(format!("each is a table of its own: [[{key}]]"))
-            }
-            Self::WrongType { key, expected, got }
-                if expected == "a table" && got.starts_with("a list of") =>
-            {
-                Some(format!("there is one alone: [{key}]"))
-            }
-            Self::WrongCount { known, .. } if !known.is_empty() => {
-                Some(format!("the scene has {}", quoted(known)))
-            }
-            Self::FixedAngle { kind, .. } => turning_kind(kind).map(|kind| format!("a `{kind}` may turn")),
-            _ => None,
-        }
-    }
-}
-
-/// A kind of shape that may turn and takes all that this kind takes.
-fn turning_kind(fixed: &str) -> Option<&'static str> {
-    let fixed = KINDS.iter().find(|kind| kind.name == fixed)?;
-    let takes_all = |kind: &Kind| fixed.fields.iter().all(|f| kind.fields.iter().any(|g| g.name == f.name));
-    KINDS.iter().find(|kind| kind.turns && takes_all(kind)).map(|kind| kind.name)
 }
 
 impl fmt::Display for Fault {

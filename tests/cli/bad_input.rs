@@ -36,6 +36,8 @@ error[missing-key]: a circle lacks `radius`: expected a number
   |
 5 | [shapes.B]
   | ^^^^^^^^^^
+  |
+  = help: add `radius` there
 
 error[unknown-key]: unknown key `raduis` in a circle
  --> s.toml:7:1
@@ -316,7 +318,7 @@ fn what_is_no_text_or_too_large_is_told() {
     );
     let piped = run_on(tracefig(folder.path()).args(["solve", "-"]), "#".repeat(5_000_000));
     let told = "error[over-limit]: the file: expected at most 4194304 bytes, got more\n --> <stdin>\n";
-    assert_eq!(piped.err, told);
+    assert_eq!(piped.err, told.to_owned() + "  = help: look whether it is the file that was meant\n");
     let got = complaint("s.toml", &changed("Two circles", &"x".repeat(4001)));
     assert!(
         got.starts_with("error[over-limit]: `title`: expected at most 4000 characters, got 4001\n"),

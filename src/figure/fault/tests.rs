@@ -54,10 +54,41 @@ fn notes() -> Vec<(Fault, &'static str, &'static str)> {
     ]
 }
 
+/// What a page has no room for, with its message and its help.
+fn without_room() -> Vec<(Fault, &'static str, &'static str)> {
+    vec![
+        (
+            Fault::TextDropped { what: "caption", lines: 9, room: 4 },
+            "the caption takes 9 lines and the page has room for 4: it is left out",
+            "it stays in the alternative text; a larger canvas or a shorter text shows it",
+        ),
+        (
+            Fault::OffPage { group: "body-A".to_owned() },
+            "`body-A` has a place that is not on any page",
+            "give the panel a wider `view`, or none, or leave out the layer that draws it",
+        ),
+        (
+            Fault::LabelClash { fault: LabelFault::Dropped { key: "d", span: 0..1 }, has_view: true },
+            "the label `d` found no place and is left out",
+            "pin it: `d = { at = \"NE\" }` in `[labels]`, or give the panel a wider `view`",
+        ),
+        (
+            Fault::LabelClash { fault: LabelFault::Dropped { key: "d", span: 0..1 }, has_view: false },
+            "the label `d` found no place and is left out",
+            "pin it: `d = { at = \"NE\" }` in `[labels]`, or give the figure a larger `width` in \
+             `[canvas]`",
+        ),
+    ]
+}
+
 /// Everything else but what scenes and labels say of themselves, with its message and its help.
 fn others() -> Vec<(Fault, &'static str, &'static str)> {
     vec![
-        (Fault::NoSuchStep { step: 9, took: 3 }, "expected a step of the algorithm, got 9: it took 3", ""),
+        (
+            Fault::NoSuchStep { step: 9, took: 3 },
+            "expected a step of the algorithm, got 9: it took 3",
+            "they are numbered from 1 to 3",
+        ),
         (
             Fault::NoHit,
             "the panel shows the moment of a hit or a miss, but the question is not for one",
@@ -86,33 +117,13 @@ fn others() -> Vec<(Fault, &'static str, &'static str)> {
         (
             Fault::BadTheme { name: "own.toml".to_owned(), reason: "it is a folder".to_owned() },
             "the theme `own.toml` can't be used: it is a folder",
-            "",
+            "`tracefig list themes` has those that are built in",
         ),
         (
             Fault::BadMarkup { markup: "$x".to_owned(), reason: "no end".to_owned() },
             "`$x` can't be typeset: no end",
-            "",
-        ),
-        (
-            Fault::TextDropped { what: "caption", lines: 9, room: 4 },
-            "the caption takes 9 lines and the page has room for 4: it is left out",
-            "it stays in the alternative text; a larger canvas or a shorter text shows it",
-        ),
-        (
-            Fault::OffPage { group: "body-A".to_owned() },
-            "`body-A` has a place that is not on any page",
-            "give the panel a wider `view`, or none, or leave out the layer that draws it",
-        ),
-        (
-            Fault::LabelClash { fault: LabelFault::Dropped { key: "d", span: 0..1 }, has_view: true },
-            "the label `d` found no place and is left out",
-            "pin it: `d = { at = \"NE\" }` in `[labels]`, or give the panel a wider `view`",
-        ),
-        (
-            Fault::LabelClash { fault: LabelFault::Dropped { key: "d", span: 0..1 }, has_view: false },
-            "the label `d` found no place and is left out",
-            "pin it: `d = { at = \"NE\" }` in `[labels]`, or give the figure a larger `width` in \
-             `[canvas]`",
+            "values stand as `{=time}`, words in a colour as `{a|words}`, formulas as `$x$`; `\\$` is a \
+             dollar",
         ),
     ]
 }
@@ -120,13 +131,15 @@ fn others() -> Vec<(Fault, &'static str, &'static str)> {
 #[test]
 fn what_an_answer_lacks_is_a_note() {
     assert!(notes().iter().all(|(fault, ..)| fault.severity() == Severity::Note));
-    assert!(others().iter().all(|(fault, ..)| fault.severity() != Severity::Note));
+    let others = [others(), without_room()].concat();
+    assert!(others.iter().all(|(fault, ..)| fault.severity() != Severity::Note));
+    assert!(others.iter().all(|(.., help)| !help.is_empty()), "and every error says what would help");
 }
 
 #[test]
 fn every_fault_says_what_is_wrong_and_what_would_help_under_a_listed_code() {
     let source = Source::new("s.toml", "title = 1");
-    for (fault, text, help) in notes().into_iter().chain(others()) {
+    for (fault, text, help) in notes().into_iter().chain(others()).chain(without_room()) {
         assert_eq!((fault.to_string().as_str(), fault.help().unwrap_or_default().as_str()), (text, help));
         assert!(ERRORS.iter().any(|row| row.code == fault.code()), "{} is in no list", fault.code());
         let shown = message(&source, &Problem::new(fault.clone(), 8..9), Severity::Warning, Ink::Plain);

@@ -17,6 +17,9 @@ use super::values::{VALUES, value_of};
 /// What stands for a value that this answer lacks and another one has, in words and in formulas.
 const LACKING: [&str; 2] = ["–", r"\text{–}"];
 
+/// How much of a text is quoted where a value in it has no end, in letters.
+const QUOTED: usize = 24;
+
 /// The text with every `{=name}` replaced by its value, and the names of those that this answer lacks: a
 /// dash stands for them. Braces alone belong to LaTeX.
 ///
@@ -34,14 +37,13 @@ pub(crate) fn fill(
     while let Some(start) = rest.find("{=") {
         let (before, from) = rest.split_at(start);
         out.push_str(before);
-        let end = from.find('}').unwrap_or(from.len());
-        let written = &from[2..end];
+        let (written, after) = closed(from).map_err(|fault| Problem::new(fault, at.clone()))?;
         let (name, digits) = match written.split_once(':') {
             None => (written, Some(USUAL)),
             Some((name, asked)) => (name, Digits::asked(asked)),
         };
         let quantity = value_of(name, context);
-        rest = from.get(end + 1..).unwrap_or("");
+        rest = after;
         let [in_text, in_formula] = LACKING;
         let Some(quantity) = quantity else {
             if another_answer_has(name, context) {
@@ -75,6 +77,18 @@ pub(crate) fn fill(
     }
     out.push_str(rest);
     Ok((out, lacking))
+}
+
+/// What stands in the braces at the beginning of a text, and what comes after them.
+fn closed(text: &str) -> Result<(&str, &str), Fault> {
+    let inner = text.strip_prefix("{=").unwrap_or(text);
+    match inner.split_once('}') {
+        Some((written, after)) if !written.contains('{') => Ok((written, after)),
+        _ => {
+            let markup = text.chars().take(QUOTED).collect();
+            Err(Fault::BadMarkup { markup, reason: "expected `}` to close it".to_owned() })
+        }
+    }
 }
 
 /// A text whose values can all be filled in, with them; `None` where it names none.
@@ -125,6 +139,14 @@ mod tests {
             Item::Text(text) => text.line.markup == markup,
             Item::Path(_) => false,
         })
+    }
+
+    #[test]
+    fn a_value_that_is_not_closed_is_refused_where_it_begins() {
+        for text in ["they touch at {=time", "{=time and {a|b}", "{=time:.3", "at {=time\\{x}"] {
+            let problems = drawn(&format!("caption = '{text}'")).unwrap_err();
+            assert!(problems[0].contains("`{=time") && problems[0].contains("close"), "{text}: {problems:?}");
+        }
     }
 
     #[test]

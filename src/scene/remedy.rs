@@ -1,0 +1,152 @@
+//! What would help against what is wrong with a scene: every message ends in a line that says it.
+
+use crate::geometry::shape::{KINDS, Kind};
+
+use super::elsewhere::elsewhere;
+use super::problem::Fault;
+use super::suggest::{nearest_or_all, quoted};
+
+impl Fault {
+    /// What would help: the nearest known word, or all that are known; `None` where nothing can be said but
+    /// what helps against any fault of its kind.
+    ///
+    /// ```
+    /// let fault = tracefig::scene::Fault::TurningBody { body: "A".to_owned() };
+    /// assert_eq!(fault.help().as_deref(), Some("ask for a `time-of-impact`"));
+    /// ```
+    #[must_use]
+    pub fn help(&self) -> Option<String> {
+        match self {
+            Self::UnknownKey { key, known, .. } => {
+                elsewhere(key, known).or_else(|| nearest_or_all(key, known))
+            }
+            Self::UnknownWord { got, known, .. } | Self::UnknownBody { got, known } => {
+                nearest_or_all(got, known)
+            }
+            Self::UnsuitedAlgorithm { suited, .. } if !suited.is_empty() => {
+                Some(format!("these do: {}", quoted(suited)))
+            }
+            Self::Empty => Some("a scene needs at least [shapes.A] and [query]".to_owned()),
+            Self::BlankLine => Some("each line of a stream is a scene as JSON".to_owned()),
+            Self::NotUtf8 => Some("save it as UTF-8, not as UTF-16 or Latin-1".to_owned()),
+            Self::TurningBody { .. } => Some("ask for a `time-of-impact`".to_owned()),
+            Self::MissingKey { key, .. } if key == "query" => {
+                Some("as: query = { kind = \"separation\", of = [\"A\", \"B\"] }".to_owned())
+            }
+            Self::MissingKey { key, .. } if key == "shapes" => {
+                Some("as: shapes.A = { kind = \"circle\", radius = 1 }".to_owned())
+            }
+            Self::WrongType { key, expected, got }
+                if got == "a table" && expected.starts_with("a list of") =>
+            {
+                Some(format!("each is a table of its own: [[{key}]]"))
+            }
+            Self::WrongType { key, expected, got }
+                if expected == "a table" && got.starts_with("a list of") =>
+            {
+                Some(format!("there is one alone: [{key}]"))
+            }
+            Self::WrongCount { known, .. } if !known.is_empty() => {
+                Some(format!("the scene has {}", quoted(known)))
+            }
+            Self::FixedAngle { kind, .. } => turning_kind(kind).map(|kind| format!("a `{kind}` may turn")),
+            _ => None,
+        }
+    }
+
+    /// What helps against any fault of its kind.
+    pub(super) fn general(&self) -> String {
+        let said = match self {
+            Self::Unreadable { .. } => "look at the path, and at who may read it",
+            Self::Syntax { .. } => "texts stand in quotes, lists in [ ], tables in { }",
+            Self::DuplicateKey { .. } => "keep one of the two",
+            Self::OverLimit { .. } => "leave some of it out, or make several scenes of it",
+            Self::Endless { .. } => "look whether it is the file that was meant",
+            Self::UnknownKey { .. } | Self::UnknownWord { .. } => "leave it out: none is known there",
+            Self::UnknownBody { .. } | Self::WrongCount { .. } => {
+                "each body is a table of its own: [shapes.A]"
+            }
+            Self::NotFinite { .. } => "write a number; what an engine answered with `nan` is left out",
+            Self::Conflict { .. } => "leave out what is marked, or change what it does not go with",
+            Self::UnsuitedAlgorithm { .. } => "without the key `algorithm` one is chosen that does",
+            Self::UnsuitedShape { .. } => "ask it of another shape, or ask another question: `kind`",
+            Self::MissingKey { key, .. } => return format!("add `{key}` there"),
+            Self::WrongType { key, expected, .. } => return written(key, expected),
+            Self::OutOfRange { key, .. } => {
+                return format!("give `{key}` such a value, or leave it out where it need not be given");
+            }
+            Self::FixedAngle { .. } => "a `box` may turn",
+            Self::Shape(error) => {
+                return format!(
+                    "look at `{}`; `tracefig list shapes` has the keys of each kind",
+                    error.field
+                );
+            }
+            Self::NotUtf8 | Self::Empty | Self::BlankLine | Self::TurningBody { .. } => "mend the file",
+        };
+        said.to_owned()
+    }
+}
+
+/// How a value of the type that is expected is written, in TOML as in JSON.
+fn written(key: &str, expected: &str) -> String {
+    let examples = [
+        ("two numbers", "[1, 0.5]"),
+        ("a number", "1.5"),
+        ("a whole number", "3"),
+        ("true or false", "true"),
+        ("a text", "\"words\""),
+        ("a list of points", "[[0, 0], [1, 0], [0, 1]]"),
+        ("a list", "[\"A\", \"B\"]"),
+    ];
+    let example = examples.iter().find(|(kind, _)| expected.starts_with(kind));
+    let key = key.rsplit('.').next().unwrap_or(key);
+    let plain = |key: &str| key.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_');
+    match example.filter(|_| plain(key)) {
+        Some((_, example)) => format!("`{key}` is written as {example}"),
+        None => format!("`tracefig list` says what `{key}` may be"),
+    }
+}
+
+/// A kind of shape that may turn and takes all that this kind takes.
+fn turning_kind(fixed: &str) -> Option<&'static str> {
+    let fixed = KINDS.iter().find(|kind| kind.name == fixed)?;
+    let takes_all = |kind: &Kind| fixed.fields.iter().all(|f| kind.fields.iter().any(|g| g.name == f.name));
+    KINDS.iter().find(|kind| kind.turns && takes_all(kind)).map(|kind| kind.name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Explain;
+
+    #[test]
+    fn every_fault_of_a_scene_says_what_would_help() {
+        let (key, text) = (|| "time".to_owned(), String::new);
+        let known = Vec::new;
+        let all = [
+            Fault::Unreadable { reason: text() },
+            Fault::NotUtf8,
+            Fault::Empty,
+            Fault::BlankLine,
+            Fault::Syntax { message: text() },
+            Fault::DuplicateKey { key: key() },
+            Fault::OverLimit { what: text(), limit: 1, unit: "bytes", got: 2 },
+            Fault::Endless { limit: 1, unit: "bytes" },
+            Fault::UnknownKey { key: key(), place: text(), known: known() },
+            Fault::UnknownWord { what: "value", got: key(), known: known() },
+            Fault::MissingKey { key: key(), place: text(), expected: text() },
+            Fault::WrongType { key: key(), expected: "a number".to_owned(), got: text() },
+            Fault::WrongType { key: key(), expected: "x0 < x1".to_owned(), got: text() },
+            Fault::NotFinite { key: key(), got: text() },
+            Fault::OutOfRange { key: key(), expected: text(), got: text() },
+            Fault::Conflict { message: text() },
+            Fault::UnknownBody { got: key(), known: known() },
+            Fault::TurningBody { body: key() },
+        ];
+        for fault in all {
+            assert!(fault.remedy().is_some_and(|help| !help.is_empty()), "{fault:?}");
+        }
+        assert_eq!(written("radius", "a number of 0 or more"), "`radius` is written as 1.5");
+    }
+}
