@@ -28,7 +28,7 @@ const LEVEL: f64 = 1e-9;
 /// The candidate places of a label, at least one; of a long name, in each of the ways to break it.
 pub(super) fn candidates(sought: &Sought, things: &Things, frame: &Frame, w: &Places) -> Vec<Candidate> {
     let size = sought.size(0);
-    if let Some(pin) = sought.pin {
+    if let Some(pin) = sought.pinned() {
         return pinned(pin, &sought.anchor, size, frame, things, w);
     }
     let mut all = Vec::new();

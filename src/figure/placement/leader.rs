@@ -41,6 +41,13 @@ impl Leader {
         Self { from: from + by, to: to + by, dot, border: border + by }
     }
 
+    /// The line to another box about the label's place, no shorter than it has to be.
+    pub(super) fn until(self, rect: &Rect, w: &Places) -> Self {
+        let near = nearest_in(rect, self.from);
+        let u = (near - self.from).unit();
+        u.map_or(self, |u| Self { to: near + u * -w.leader_room, ..self })
+    }
+
     /// Whether it is longer than one may be.
     pub(super) fn is_long(&self) -> bool {
         self.length() > LONGEST + ROUNDING

@@ -13,7 +13,8 @@
 //! joins them.
 //!
 //! In a figure that moves, a label [rests](rest) where it stood in the frame before, while that is
-//! comfortable.
+//! comfortable, and keeps [`reserve`] for the digits of other frames; [`moving`] says who must not rest, nor
+//! stand where the scene pins it.
 //!
 //! The way through: [`worth`] says which labels seek a place, [`things`](mod@things) what each could name,
 //! [`candidates`] and [`inside`] offer places, [`anywhere`] all others, [`cost`] and [`astray`] price them,
@@ -28,9 +29,11 @@ mod cost;
 mod faults;
 mod inside;
 mod leader;
+mod moving;
 mod pole;
 mod polyline;
 mod rect;
+mod reserve;
 mod rest;
 mod seeker;
 mod solve;
@@ -53,7 +56,9 @@ use weights::Places;
 pub use faults::LabelFault;
 pub(crate) use faults::faults;
 pub(crate) use leader::Leader;
-pub(crate) use solve::{Ground, place};
+pub(crate) use moving::place;
+pub(crate) use reserve::Reserve;
+pub(crate) use solve::Ground;
 pub(crate) use things::{Thing, things};
 pub(crate) use tinted::tint;
 
@@ -76,6 +81,10 @@ pub(crate) struct Sought {
     pub(crate) part: usize,
     /// Where the scene wants it, if it says so.
     pub(crate) pin: Option<LabelPlace>,
+    /// Whether it may stand elsewhere nevertheless: in a figure that moves it stood badly there.
+    pub(crate) loose: bool,
+    /// The room that it keeps for wider texts of other frames.
+    pub(crate) room: Reserve,
     /// Where it comes from in the scene: what a warning points at.
     pub(crate) span: Range<usize>,
 }
@@ -117,17 +126,26 @@ impl Fold {
 const LEADING: f64 = 6.0;
 
 impl Sought {
+    /// Where the scene wants it, unless it is loose.
+    fn pinned(&self) -> Option<LabelPlace> {
+        self.pin.filter(|_| !self.loose)
+    }
+
     /// Its lines: its own, or those of a way to break it, from 1.
     fn folded(&self, folds: usize) -> &[Arc<Line>] {
         folds.checked_sub(1).and_then(|i| self.folds.get(i)).map_or(&self.lines, |fold| &fold.lines)
     }
 
-    /// Width and height in page pixels of its own lines, or of those of a way to break it, from 1.
+    /// The width in page pixels of its own lines, or of those of a way to break it, from 1.
+    fn width(&self, folds: usize) -> f64 {
+        self.folded(folds).iter().map(|l| l.width).fold(0.0, f64::max)
+    }
+
+    /// Width and height in page pixels of its own lines, or of those of a way to break it, from 1, with the
+    /// room that it keeps.
     fn size(&self, folds: usize) -> (f64, f64) {
-        let lines = self.folded(folds);
-        let width = lines.iter().map(|l| l.width).fold(0.0, f64::max);
-        let height: f64 = lines.iter().map(|l| l.height() + LEADING).sum();
-        (width, (height - LEADING).max(0.0))
+        let height: f64 = self.folded(folds).iter().map(|l| l.height() + LEADING).sum();
+        (self.width(folds) + self.room.beyond(self), (height - LEADING).max(0.0))
     }
 }
 
@@ -160,6 +178,10 @@ struct Standing {
     reluctance: f64,
     /// What the place cost by itself when it was chosen.
     cost: f64,
+    /// Whether the scene wants it elsewhere.
+    loose: bool,
+    /// The room that it kept.
+    room: Reserve,
 }
 
 /// A label at its place.

@@ -17,14 +17,14 @@
 
 use crate::drawing::{Offset, Point, Rect};
 use crate::figure::frame::Frame;
-use crate::figure::sketch::Anchor;
 
 use super::cost::{Surroundings, pair_cost};
 use super::leader::{LONGEST, Leader, is_far, leader};
 use super::rect::DIRECTIONS;
+use super::reserve::{origin, resized};
 use super::seeker::Seeker;
 use super::weights::Weights;
-use super::{Candidate, Labelled, Placed, Standing};
+use super::{Candidate, Labelled, Placed, Sought, Standing};
 
 /// What a label names has turned round, rather than moved, if it is this far from where it was, page pixels.
 const TURNED: f64 = 8.0;
@@ -44,18 +44,27 @@ pub(super) struct Stay {
     pub(super) rests: bool,
 }
 
+/// For each label, with where what it belongs to lies, the one of the frame before that it is; none for one
+/// that had none, or that the scene pins.
+pub(super) fn matches<'b>(
+    labels: &[(&Sought, Point)],
+    before: &'b Labelled,
+    frame: &Frame,
+) -> Vec<Option<&'b Placed>> {
+    let mut free: Vec<&Placed> = before.placed.iter().collect();
+    labels.iter().map(|&label| match_of(label, &mut free, frame)).collect()
+}
+
 /// For each label the place that it had in the frame before; none for one that had none, that the scene
 /// pins, or whose thing has changed so that no place is left of it.
 pub(super) fn stays(
     seekers: &[Seeker],
-    before: &Labelled,
+    (before, labels): (&Labelled, &[Option<&Placed>]),
     scene: &Surroundings,
     weights: &Weights,
 ) -> Vec<Option<Stay>> {
-    let mut free: Vec<&Placed> = before.placed.iter().collect();
     let mut all: Vec<Option<Stay>> = Vec::with_capacity(seekers.len());
-    for seeker in seekers {
-        let label = match_of(seeker, &mut free, scene.frame);
+    for (seeker, &label) in seekers.iter().zip(labels) {
         let places = label.map(|label| places_now(seeker, label, (&before.frame, scene.frame), weights));
         let priced = seeker.priced(places.unwrap_or_default(), scene).into_iter();
         let best = priced.min_by(|(_, p), (_, q)| p.total_cmp(q));
@@ -143,14 +152,18 @@ fn settle(all: &mut [Option<Stay>], seekers: &[Seeker], (scene, weights): (&Surr
     }
 }
 
-/// The label of the frame before that has this one's key: of several the one whose thing is nearest. It is
-/// taken out of `free`.
-fn match_of<'b>(seeker: &Seeker, free: &mut Vec<&'b Placed>, frame: &Frame) -> Option<&'b Placed> {
-    if seeker.sought.pin.is_some() {
+/// The label of the frame before that has this one's key: of several the one whose thing is nearest to this
+/// one's. It is taken out of `free`.
+fn match_of<'b>(
+    (sought, home): (&Sought, Point),
+    free: &mut Vec<&'b Placed>,
+    frame: &Frame,
+) -> Option<&'b Placed> {
+    if sought.pinned().is_some() {
         return None;
     }
-    let home = seeker.home - corner(frame);
-    let like = free.iter().enumerate().filter(|(_, label)| label.key == seeker.sought.key);
+    let home = home - corner(frame);
+    let like = free.iter().enumerate().filter(|(_, label)| label.key == sought.key);
     let off = |label: &Placed| (Point::default() + label.home - (Point::default() + home)).square();
     let (i, _) = like.min_by(|(_, a), (_, b)| off(a).total_cmp(&off(b)))?;
     Some(free.remove(i))
@@ -164,13 +177,7 @@ fn places_now(
     (then, now): (&Frame, &Frame),
     weights: &Weights,
 ) -> Vec<Candidate> {
-    let home = |frame: &Frame, at: Point| match seeker.sought.anchor {
-        Anchor::Corner(corner) => {
-            let ((dx, dy), panel) = (corner.direction(), &frame.panel);
-            panel.center() + Offset::new(0.5 * dx * panel.width(), 0.5 * dy * panel.height())
-        }
-        _ => at,
-    };
+    let home = |frame: &Frame, at: Point| origin(&seeker.sought.anchor, at, frame);
     let (was, is) = (home(then, corner(then) + label.home), home(now, seeker.home));
     let (along, still) = (is - was, corner(now) - corner(then));
     let turned = (along - still).length() > TURNED;
@@ -208,27 +215,6 @@ fn still_in(seeker: &Seeker, line: Leader) -> Option<Leader> {
     let own = seeker.things.own.as_ref()?;
     let alone = !seeker.things.avoid().iter().any(|other| other.contains(line.from));
     (alone && own.line().contains(line.from)).then_some(line)
-}
-
-/// A label's box for a text of another size, as a number has from frame to frame: the edges towards what it
-/// names stay, and it grows to both sides where it stands above, below or on it.
-fn resized(bounds: &Rect, home: Point, (width, height): (f64, f64)) -> Rect {
-    let (x0, x1) = spread((bounds.x0, bounds.x1), home.x, width);
-    let (y0, y1) = spread((bounds.y0, bounds.y1), home.y, height);
-    Rect { x0, y0, x1, y1 }
-}
-
-/// The ends of a stretch that gets another length and keeps its end towards `home`.
-fn spread((lo, hi): (f64, f64), home: f64, length: f64) -> (f64, f64) {
-    let more = length - (hi - lo);
-    let share = if home <= lo {
-        0.0
-    } else if home >= hi {
-        1.0
-    } else {
-        0.5
-    };
-    (lo - share * more, hi + (1.0 - share) * more)
 }
 
 /// The upper left corner of a panel.

@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
-use crate::drawing::Point;
+use crate::drawing::{Point, Rect};
 use crate::figure::frame::Frame;
 use crate::figure::sketch::{Anchor, Corner};
 
-use super::candidates::home;
 use super::cost::{Surroundings, in_series, near_by, own_cost};
+use super::reserve::{origin, resized};
 use super::things::{Thing, Things};
 use super::weights::Weights;
 use super::{Candidate, LEADING, Placed, Sought, Standing};
@@ -30,17 +30,17 @@ pub(super) struct Seeker<'s> {
 }
 
 impl<'s> Seeker<'s> {
-    /// A label among all things of its panel.
-    pub(super) fn new(sought: &'s Sought, all: &'s [Thing], frame: &Frame, weights: &Weights) -> Self {
+    /// A label among all things of its panel, with where what it belongs to lies.
+    pub(super) fn new(sought: &'s Sought, home: Point, all: &'s [Thing], frame: &Frame) -> Self {
         let things = Things::of(&sought.anchor, all, frame);
-        Self { sought, home: home(&sought.anchor, frame, &weights.places), things }
+        Self { sought, home, things }
     }
 
     /// The place at which an earlier panel of a series has the label, if it is as large there.
     pub(super) fn as_in_series(&self, scene: &Surroundings) -> Option<Candidate> {
         let (rect, before) = in_series(self.sought, self.home, scene)?;
         let Standing { folds, reluctance, .. } = before.standing;
-        let is_plain = self.sought.pin.is_none() && before.leader.is_none();
+        let is_plain = self.sought.pinned().is_none() && before.leader.is_none();
         let fits = folds <= self.sought.folds.len() && is_plain;
         let (width, height) = if fits { self.sought.size(folds) } else { return None };
         let is_as_large = (rect.width() - width).abs() < ROUNDED && (rect.height() - height).abs() < ROUNDED;
@@ -66,10 +66,25 @@ impl<'s> Seeker<'s> {
         priced.filter(|(cost, _)| most.is_infinite() || *cost <= most).map(|(cost, c)| (c, cost)).collect()
     }
 
+    /// The box of its glyphs at a place, without the room that it keeps.
+    fn bounds(&self, candidate: &Candidate, frame: &Frame) -> Rect {
+        let (sought, rect) = (self.sought, candidate.rect);
+        if sought.room.beyond(sought) <= 0.0 {
+            return rect;
+        }
+        let size = (sought.width(candidate.folds), rect.height());
+        resized(&rect, origin(&sought.anchor, self.home, frame), size)
+    }
+
     /// The label at its place: its lines below each other, centred but for notes.
-    pub(super) fn placed(&self, candidate: &Candidate, cost: f64, frame: &Frame) -> Placed {
+    pub(super) fn placed(
+        &self,
+        (candidate, cost): (&Candidate, f64),
+        frame: &Frame,
+        weights: &Weights,
+    ) -> Placed {
         let sought = self.sought;
-        let bounds = candidate.rect;
+        let bounds = self.bounds(candidate, frame);
         // The lines of a note are read as a paragraph or a column of equations.
         let align = match sought.anchor {
             Anchor::Corner(corner) if !matches!(corner, Corner::Top | Corner::Bottom) => 0.0,
@@ -84,8 +99,12 @@ impl<'s> Seeker<'s> {
         }
         let Sought { key, role, part, .. } = *sought;
         let home = self.home - Point::new(frame.panel.x0, frame.panel.y0);
-        let (leader, thing, span) = (candidate.leader, self.things.own.clone(), sought.span.clone());
-        let standing = Standing { folds: candidate.folds, reluctance: candidate.reluctance, cost };
+        let leader = candidate
+            .leader
+            .map(|line| if bounds == candidate.rect { line } else { line.until(&bounds, &weights.places) });
+        let (thing, span) = (self.things.own.clone(), sought.span.clone());
+        let Candidate { folds, reluctance, .. } = *candidate;
+        let standing = Standing { folds, reluctance, cost, loose: sought.loose, room: sought.room };
         Placed { key, role, lines, bounds, leader, thing, part, home, standing, span }
     }
 }

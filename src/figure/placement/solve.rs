@@ -3,20 +3,21 @@
 
 use std::cell::Cell;
 
-use crate::drawing::Rect;
+use crate::drawing::{Point, Rect};
 use crate::figure::frame::Frame;
 use crate::figure::sketch::Obstacle;
 use crate::geometry::{sort_by, sorted};
 
 use super::anywhere::anywhere;
-use super::candidates::{candidates, nudged};
+use super::candidates::{candidates, home, nudged};
 use super::choices::Choices;
 use super::cost::{Surroundings, own_reach};
-use super::faults::{LabelFault, faults, hides};
-use super::rest::stays;
+use super::faults::hides;
+use super::reserve::Reserve;
+use super::rest::{Stay, matches, stays};
 use super::seeker::Seeker;
 use super::things::Thing;
-use super::weights::{TUNED, Weights};
+use super::weights::Weights;
 use super::worth::worth_naming;
 use super::{Candidate, Labelled, Placed, Sought};
 
@@ -43,61 +44,47 @@ pub(crate) struct Ground<'p> {
     pub(crate) panels: usize,
 }
 
-/// Places the labels of a panel.
-pub(crate) fn place(sought: &[Sought], ground: &Ground) -> Labelled {
-    place_by(&TUNED, sought, ground)
+/// What a label makes of the place that it had in the frame before.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Old {
+    /// It rests there, where that is comfortable.
+    Comfortable,
+    /// It rests there in any case.
+    Kept,
+    /// It likes it better than it is, and does not rest.
+    Liked,
+    /// It looks for a place as if it had none.
+    Forgotten,
 }
 
-/// Places the labels of a panel by other numbers than the tuned ones.
-///
-/// Where labels that rest leave one no good place, those that stand badly rest no longer; where that does not
-/// help, none of them rests, and each only likes its old place better: what is pleasant to look at in a
-/// figure that moves is no reason for a false picture.
-pub(super) fn place_by(weights: &Weights, sought: &[Sought], ground: &Ground) -> Labelled {
-    let mut best = searched(weights, sought, ground, &|_| true);
-    if ground.before.is_none() {
-        return best;
-    }
-    // What the scene pins stays, whoever looks for another place.
-    let mendable = |placed: &Labelled| -> Vec<LabelFault> {
-        let of_free =
-            |fault: &LabelFault| sought.iter().any(|s| s.pin.is_none() && fault.is_of(s.key, &s.span));
-        faults(placed).into_iter().filter(of_free).collect()
-    };
-    let mut wrong = mendable(&best);
-    for all in [false, true] {
-        if wrong.is_empty() {
-            break;
-        }
-        let stands_well = |label: &Sought| !wrong.iter().any(|fault| fault.is_of(label.key, &label.span));
-        let other = searched(weights, sought, ground, &|label| !all && stands_well(label));
-        let still = mendable(&other);
-        if still.len() < wrong.len() {
-            (best, wrong) = (other, still);
-        }
-    }
-    best
-}
-
-/// Searches for the places of a panel's labels, of which those that `may_rest` stay where they stood well in
-/// the frame before.
-fn searched(
+/// Searches for the places of a panel's labels, each of which makes something of where it stood in the frame
+/// before.
+pub(super) fn searched(
     weights: &Weights,
     sought: &[Sought],
     ground: &Ground,
-    may_rest: &dyn Fn(&Sought) -> bool,
+    old: &dyn Fn(&Sought) -> Old,
 ) -> Labelled {
     let Ground { frame, obstacles, things, earlier, before, panels } = *ground;
-    let sought = &worth_naming(sought, frame, weights);
-    let surroundings = Surroundings { frame, obstacles, earlier, costs: &weights.costs, hiding: 0.0 };
-    let seekers: Vec<Seeker> = sought.iter().map(|s| Seeker::new(s, things, frame, weights)).collect();
-    let none = || seekers.iter().map(|_| None).collect();
-    let mut stays = before.map_or_else(none, |before| stays(&seekers, before, &surroundings, weights));
-    for (stay, seeker) in stays.iter_mut().zip(&seekers) {
-        if let Some(stay) = stay {
-            stay.rests &= may_rest(seeker.sought);
-        }
+    let mut sought = worth_naming(sought, frame, weights);
+    let homes: Vec<Point> = sought.iter().map(|s| home(&s.anchor, frame, &weights.places)).collect();
+    let labels: Vec<(&Sought, Point)> = sought.iter().zip(homes.iter().copied()).collect();
+    let then = before.map_or_else(|| vec![None; sought.len()], |before| matches(&labels, before, frame));
+    for (label, &then) in sought.iter_mut().zip(&then) {
+        label.room = Reserve::of(label, then.filter(|_| old(label) != Old::Forgotten));
     }
+    let surroundings = Surroundings { frame, obstacles, earlier, costs: &weights.costs, hiding: 0.0 };
+    let seekers = sought.iter().zip(homes).map(|(s, home)| Seeker::new(s, home, things, frame));
+    let seekers: Vec<Seeker> = seekers.collect();
+    let none = || seekers.iter().map(|_| None).collect();
+    let stays = before.map_or_else(none, |before| stays(&seekers, (before, &then), &surroundings, weights));
+    let stay = |(stay, seeker): (Option<Stay>, &Seeker)| match old(seeker.sought) {
+        Old::Comfortable => stay,
+        Old::Liked => stay.map(|stay| Stay { rests: false, ..stay }),
+        Old::Kept => stay.map(|stay| Stay { rests: true, ..stay }),
+        Old::Forgotten => None,
+    };
+    let stays = stays.into_iter().zip(&seekers).map(stay).collect();
     let mut choices = Choices {
         places: vec![Vec::new(); seekers.len()],
         chosen: vec![0; seekers.len()],
@@ -178,7 +165,7 @@ impl Choices<'_> {
             }
             let seeker = &seekers[label];
             let now = self.cost(label, self.chosen[label], &all);
-            if seeker.sought.pin.is_some() || now < search.trouble {
+            if seeker.sought.pinned().is_some() || now < search.trouble {
                 continue;
             }
             let about = |slot: usize| nudged(&self.places[label][slot].0, &seeker.things, self.weights);
@@ -201,7 +188,7 @@ impl Choices<'_> {
             let (sought, rect) = (seeker.sought, self.candidate(label).rect);
             if self.is_spent()
                 || self.rests(label)
-                || sought.pin.is_some()
+                || sought.pinned().is_some()
                 || !hides(scene.obstacles, sought.part, &rect) && !self.clashes(label, 0..seekers.len())
             {
                 continue;
@@ -265,7 +252,7 @@ impl Choices<'_> {
         let plain = || seeker.priced(vec![place.clone()], scene).first().map(|(_, cost)| *cost);
         let again = if self.urged[label] { plain() } else { None };
         let cost = resting.map(|stay| stay.standing.cost).or(again).unwrap_or(*cost);
-        seeker.placed(place, cost, scene.frame)
+        seeker.placed((place, cost), scene.frame, self.weights)
     }
 }
 

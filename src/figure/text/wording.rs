@@ -7,7 +7,7 @@ use crate::figure::context::Context;
 use crate::figure::fault::{Fault, Problem};
 use crate::figure::language::Language;
 use crate::figure::lettering::{role_words, unknown, with_markers};
-use crate::figure::placement::Sought;
+use crate::figure::placement::{Reserve, Sought};
 use crate::figure::sketch::{Anchor, Rank, Request, Size};
 use crate::figure::standing::standing;
 use crate::scene;
@@ -102,6 +102,8 @@ impl Wording<'_> {
             rank: label.rank,
             part: request.part,
             pin: given.and_then(|(_, o)| o.at.as_ref()).map(|at| at.value),
+            loose: false,
+            room: Reserve::default(),
             span: given.map_or_else(|| origin.clone(), |(key, _)| key.span.clone()),
         }))
     }

@@ -5,7 +5,8 @@ use std::path::Path;
 
 use crate::drawing::Rect;
 use crate::figure::drawn_panel::{Sheet, earlier, sought};
-use crate::figure::placement::solve::{Ground, place_by};
+use crate::figure::placement::moving::place_by;
+use crate::figure::placement::solve::Ground;
 use crate::figure::placement::{Labelled, Sought, faults, things};
 use crate::figure::plan::{Plan, plan};
 use crate::figure::random_scenes;

@@ -1,0 +1,101 @@
+//! The labels of a frame after another one: who rests where it stood, and who must not.
+
+use super::faults::{LabelFault, faults};
+use super::solve::{Ground, Old, searched};
+use super::weights::{TUNED, Weights};
+use super::{Labelled, Sought};
+
+/// Places the labels of a panel.
+pub(crate) fn place(sought: &[Sought], ground: &Ground) -> Labelled {
+    place_by(&TUNED, sought, ground)
+}
+
+/// Places the labels of a panel by other numbers than the tuned ones.
+///
+/// Where labels that rest leave one no good place, those that stand badly forget where they stood, what room
+/// they kept, and where the scene pins them; where that does not help, the others rest no longer, and each
+/// only likes its old place better: what is pleasant to look at in a figure that moves is no reason for a
+/// false picture. Who stands as badly wherever it goes does not go.
+pub(super) fn place_by(weights: &Weights, sought: &[Sought], ground: &Ground) -> Labelled {
+    let resting = |_: &Sought| Old::Comfortable;
+    let Some(before) = ground.before else { return searched(weights, sought, ground, &resting) };
+    // A scene pins by keys.
+    let was_loose = |label: &Sought| before.placed.iter().any(|p| p.standing.loose && p.key == label.key);
+    let mut sought = loosened(sought, &was_loose);
+    let mut best = searched(weights, &sought, ground, &resting);
+    let mut wrong = faults(&best);
+    for all in [false, true] {
+        if wrong.is_empty() {
+            return best;
+        }
+        let badly = |label: &Sought| stands_badly(label, &wrong);
+        let freed = loosened(&sought, &badly);
+        let others = if all { Old::Liked } else { Old::Comfortable };
+        let old = |label: &Sought| if badly(label) { Old::Forgotten } else { others };
+        let other = searched(weights, &freed, ground, &old);
+        let still = faults(&other);
+        if still.len() < wrong.len() {
+            (best, wrong, sought) = (other, still, freed);
+        }
+    }
+    let old = |label: &Sought| if stands_badly(label, &wrong) { Old::Kept } else { Old::Comfortable };
+    let kept = searched(weights, &sought, ground, &old);
+    if faults(&kept).len() <= wrong.len() { kept } else { best }
+}
+
+/// Whether a label is at fault, alone or with another one.
+fn stands_badly(label: &Sought, wrong: &[LabelFault]) -> bool {
+    wrong.iter().any(|fault| fault.is_of(label.key, &label.span))
+}
+
+/// The labels, of which some need not stand where the scene pins them.
+fn loosened(sought: &[Sought], which: &dyn Fn(&Sought) -> bool) -> Vec<Sought> {
+    let loose = |s: &Sought| s.loose || s.pin.is_some() && which(s);
+    sought.iter().map(|s| Sought { loose: loose(s), ..s.clone() }).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::figure::{Figure, draw_after, plan};
+    use crate::scene::open_text;
+
+    /// A box whose name the scene pins at its upper right, and a disc that comes to lie there, with the
+    /// frame before it.
+    fn with_disc(x: f64, before: Option<&Figure>) -> Figure {
+        let text = format!(
+            r#"
+            shapes.A = {{ kind = "box", half_extents = [1, 1] }}
+            shapes.B = {{ kind = "circle", radius = 1, position = [{x}, 0.9] }}
+            query = {{ kind = "separation", of = ["A", "B"] }}
+            labels.O.at = "NE"
+            panels = [{{ space = "world", view = [-3, -3, 7, 3], layers = ["shapes", "origin"] }}]
+            "#
+        );
+        let scene = open_text("s.toml", &text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        draw_after(&plan, plan.theme, "s", before)
+    }
+
+    /// Where the name of the origin stands, right and up of it.
+    fn side(figure: &Figure) -> (bool, bool) {
+        let panel = &figure.panels[0];
+        let label = panel.placed.iter().find(|p| p.key == "O").unwrap();
+        let (corner, center) = (panel.frame.panel, label.bounds.center());
+        (center.x > corner.x0 + label.home.dx, center.y < corner.y0 + label.home.dy)
+    }
+
+    #[test]
+    fn a_pinned_label_leaves_a_place_that_has_become_bad_and_does_not_go_back() {
+        let apart = with_disc(5.0, None);
+        assert_eq!((side(&apart), apart.faults().len()), ((true, true), 0));
+        // The disc's outline runs by the origin, at the upper right of it.
+        let near = |x: f64, before| with_disc(x, before);
+        let still = near(0.9, None);
+        assert!(!still.faults().is_empty(), "a still picture keeps to its scene");
+        let moving = near(0.9, Some(&apart));
+        assert!(moving.faults().is_empty() && side(&moving) != (true, true), "{:?}", moving.faults());
+        let after = near(5.0, Some(&moving));
+        assert_eq!(side(&after), side(&moving));
+        assert_eq!(side(&near(5.0, None)), (true, true), "at rest it is where the scene pins it");
+    }
+}
