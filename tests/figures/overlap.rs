@@ -96,28 +96,28 @@ fn clamps(seen: &Look, v: (f64, f64), closest: (f64, f64)) -> bool {
 #[test]
 fn figure_3_shows_v_its_clamped_components_and_the_distance() {
     let f = figure("03-circle-box");
-    let w = look(&f, 0, [-3.8, -2.0, 8.3, 7.4]);
-    let closest = (3.0, 1.2);
+    let w = look(&f, 0, [-3.0, -3.1, 9.2, 5.9]);
+    let closest = (2.0, 2.3);
     shows![
-        w.polygon(A, &[(-3.0, -1.2), (3.0, -1.2), closest, (-3.0, 1.2)]).is_some(),
-        w.circle(B, (6.0, 5.2), 2.0).is_some(),
-        clamps(&w, (6.0, 5.2), closest),
-        w.any_line((6.0, 0.0), (6.0, 5.2)),
-        w.any_line((0.0, 5.2), (6.0, 5.2)),
+        w.polygon(A, &[(-2.0, -2.3), (2.0, -2.3), closest, (-2.0, 2.3)]).is_some(),
+        w.circle(B, (6.8, 3.7), 2.0).is_some(),
+        clamps(&w, (6.8, 3.7), closest),
+        w.any_line((6.8, 0.0), (6.8, 3.7)),
+        w.any_line((0.0, 3.7), (6.8, 3.7)),
         w.text_near("$B_c$", closest, 40.0),
-        f.says("$V = (6, 5.2)$") && f.says("$V_x = 6$") && f.says("$V_y = 5.2$"),
+        f.says("$V = (6.8, 3.7)$") && f.says("$V_x = 6.8$") && f.says("$V_y = 3.7$"),
         f.says("cut to $h_x$") && f.says("cut to $h_y$"),
-        f.says("$h_x = 3$") && f.says("$h_y = 1.2$"),
-        f.says("$D = (3, 4)$"),
+        f.says("$h_x = 2$") && f.says("$h_y = 2.3$"),
+        f.says("$D = (4.8, 1.4)$"),
         f.says("$r = 2$"),
         f.says("distance $= 3$"),
     ];
-    // The part of D, (3, 4), that the circle leaves, 5 - 2, is thick; the radius goes another way.
-    let rim = (3.0 + 3.0 * 0.6, 1.2 + 3.0 * 0.8);
+    // The part of D, (4.8, 1.4), that the circle leaves, 5 - 2, is thick; the radius goes another way.
+    let rim = (2.0 + 3.0 * 0.96, 2.3 + 3.0 * 0.28);
     let out = 2.0 * std::f64::consts::FRAC_1_SQRT_2;
     shows![
         w.line(Translation, closest, rim).is_some_and(thick),
-        w.line(B, (6.0, 5.2), (6.0 + out, 5.2 + out)).is_some(),
+        w.line(B, (6.8, 3.7), (6.8 + out, 3.7 + out)).is_some(),
     ];
 }
 

@@ -33,14 +33,14 @@ pub(super) fn disc_place(context: &Context, time: f64, answer: &Separation) -> O
 }
 
 /// Draws the disc of the depth about the deepest point, where it lies within the other body: a shorter push,
-/// whichever way, leaves the point inside.
-pub(super) fn disc(sketch: &mut Sketch, context: &Context, time: f64, answer: &Separation) {
+/// whichever way, leaves the point inside. Its rim alone, or with a tint.
+pub(super) fn disc(sketch: &mut Sketch, (context, time): (&Context, f64), answer: &Separation, rim: bool) {
     let Some((center, side)) = disc_place(context, time, answer) else { return };
     let depth = -answer.separation;
     let (role, pen) = (Role::Translation, Pen::dimension(Role::Translation).opacity(DISC));
     sketch.part("disc").weight(Weight::Background);
     let area = Outline::circle(center, depth);
-    sketch.area(&area, Some(Wash::faint(role, TINT)), Some(pen));
+    sketch.area(&area, (!rim).then(|| Wash::faint(role, TINT)), Some(pen));
     // In the half that the push, an arrow from B's deepest point to A's, does not lie in.
     let away = if side == Side::A { -*answer.normal } else { *answer.normal };
     let half = Outline::sector(center, depth, angle_of(-perp(away)), PI);
@@ -84,6 +84,23 @@ mod tests {
             let [at, rim] = [-0.5, 0.0].map(|x| frame.page(DVec2::new(x, 0.0)));
             assert!((*center - at).length() < 1e-6 && (radius - (rim - at).length()).abs() < 1e-6);
         }
+    }
+
+    #[test]
+    fn a_rim_alone_has_no_tint() {
+        let tinted = |options: &str| {
+            let text = format!(
+                "shapes.A = {{ kind = 'polygon', vertices = [[-0.5, 0], [1, -0.2], [1, 0.2]] }}
+                shapes.B = {{ kind = 'polygon', vertices = [[0, -2], [0, 2], [-4, 2], [-4, -2]] }}
+                query = {{ kind = 'separation', of = ['A', 'B'] }}
+                panels = [{{ layers = [{{ layer = 'separation', disc = true{options} }}] }}]"
+            );
+            let scene = open_text("s.toml", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let figure = draw(&plan, plan.theme, "s");
+            paths(&figure.drawing.items, "disc")[0].fill.is_some()
+        };
+        assert!(tinted("") && !tinted(", rim = true"));
     }
 
     #[test]

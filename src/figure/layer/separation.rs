@@ -89,6 +89,12 @@ pub(super) const LAYER: Layer = Layer {
                     of them takes it out of the other body",
         },
         OptionSpec {
+            name: "rim",
+            takes: Takes::Flag,
+            default: "false",
+            about: "of the disc the rim alone: over bodies, with its tint under them",
+        },
+        OptionSpec {
             name: "text",
             takes: Takes::Lines,
             default: "by the algorithm",
@@ -179,7 +185,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let offset = sketch.fitted(options.number("offset").unwrap_or(0.0));
     sketch.since(run.end());
     if options.flag("disc", false) && answer.bounds.hi < 0.0 {
-        disc(sketch, context, run.time, &answer);
+        disc(sketch, (context, run.time), &answer, options.flag("rim", false));
     }
     sketch.part("separation");
     match options.word("style", "arrow") {
