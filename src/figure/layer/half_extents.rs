@@ -86,7 +86,6 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         context.cue(|event| matches!(event, Event::BoundsFound { .. })).map(|cue| cue.part(bounds::CENTER)),
     );
     let offset = sketch.px(options.number("offset").unwrap_or(OFFSET));
-    let of_bounds = matches!(context.run().answer, Answer::Bounds(_));
     // Beside the box, on the sides that no other body is at; below and to the right where all are free.
     let away = others(context, &b);
     let down = if away.y < 0.0 { b.y } else { -b.y };
@@ -101,7 +100,6 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
             out: down * (b.half.y + offset),
             past: down * b.half.y,
             length: b.half.x,
-            of_bounds,
         },
     );
     line(
@@ -114,7 +112,6 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
             out: aside * (b.half.x + offset),
             past: aside * b.half.x,
             length: b.half.y,
-            of_bounds,
         },
     );
 }
@@ -144,8 +141,6 @@ struct Line {
     past: DVec2,
     /// The half-extent, world units.
     length: f64,
-    /// Whether it is of bounds, whose centre is marked.
-    of_bounds: bool,
 }
 
 /// Draws one half-extent.
@@ -162,11 +157,11 @@ fn line(sketch: &mut Sketch, options: &Options, l: &Line) {
     }
     let (p, q) = (l.from + l.out, l.from + l.out + l.along);
     let part = l.key.replace('_', "-");
-    // A bar, and the half-extent of bounds, stands for the way from the centre; else it begins at the box.
-    let whole = bar || l.of_bounds;
-    let begin = if whole { l.from } else { l.from + l.past };
+    // A bar stands for the way from the centre; a length begins at the box, as a line from the centre would
+    // look like an axis.
+    let begin = if bar { l.from } else { l.from + l.past };
     // Faint, as it may lead through the body.
-    let guide = Pen::extension().opacity(if whole { GUIDE } else { 1.0 });
+    let guide = Pen::extension().opacity(if bar { GUIDE } else { 1.0 });
     sketch.part(&part).weight(Weight::Light).line(begin, p, guide);
     sketch.part(&part).weight(Weight::Light).line(l.from + l.past + l.along, q, Pen::extension());
     let pen = if bar { Pen::highlighted(role) } else { Pen::dimension(role) };

@@ -7,9 +7,7 @@
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{
-    Anchor, LARGE_MARKER, Label, MARKER, Marker, Pen, Rank, SMALL_MARKER, Size, Sketch, Weight,
-};
+use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, MARKER, Marker, Pen, Rank, Size, Sketch, Weight};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
 use crate::scene::When;
@@ -149,7 +147,7 @@ fn missed(sketch: &mut Sketch, context: &Context, from: DVec2, v: DVec2) {
         let end = if meets.distance_squared(p) < meets.distance_squared(q) { p } else { q };
         sketch.since(context.answered()).part("line").weight(Weight::Light);
         sketch.line(end, meets, Pen::construction());
-        sketch.part("meets").marker(meets, Marker::Disc, Role::Muted, SMALL_MARKER);
+        sketch.part("meets").marker(meets, Marker::HollowDisc, Role::Ink, MARKER);
     }
 }
 
