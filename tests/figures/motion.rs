@@ -199,7 +199,7 @@ fn frames_continuous_tests_the_whole_way_and_stops_a_where_it_touches() {
         one.any_line((start.0 - x, start.1 - y), (end.0 - x, end.1 - y)),
         one.along(A, start, end),
         one.marker(Ink, contact),
-        f.says("$A$ at $t = 0$") && f.says("first touch, $t = 0.3$"),
+        f.says("$A$ at $t = 0$") && one.text_near("$t = 0.3$", hit, 40.0),
         f.says("$t = 1$, without the test"),
         // The way's head is at its end, where A would be.
         one.head(A, end),

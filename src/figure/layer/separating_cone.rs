@@ -66,7 +66,7 @@ const TICK: f64 = 10.0;
 const BEHIND: f64 = 34.0;
 
 /// The shortest and the longest that n is drawn, page pixels, where one unit of the space is less or more.
-const READABLE: [f64; 2] = [24.0, 96.0];
+const READABLE: [f64; 2] = [24.0, RADIUS];
 
 /// The keys of the names of each tangent and of the end of the cone square to it, the left tangent first.
 const NAMES: [[&str; 2]; 2] = [["t_1", "n_1"], ["t_2", "n_2"]];
