@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 use tracefig::drift::fingerprint;
 use tracefig::scene::limits::MAX_FILE_BYTES;
-use tracefig::scene::{Ink, jsonl_name, refused_bytes, refused_length};
+use tracefig::scene::{Ink, jsonl_name, open_jsonl_line, refused_bytes, refused_length};
 
 use super::inputs::{Input, Located};
 use super::jobs::{Job, job};
@@ -103,8 +103,12 @@ impl<R: Read> LinesToDraw<R> {
             let input = Input::Line { number, text, stem };
             return Drawable::Job(job(Located { input, below: PathBuf::new() }, settings));
         }
+        let both = "would both become";
+        let own = open_jsonl_line(&text, number).err();
         Drawable::Refused(format!(
-            "error: <stdin>:{number} and <stdin>:{first} would both become {stem}; the first one stays\n"
+            "error: <stdin>:{number} and <stdin>:{first} {both} {stem}; the first one stays\n{}",
+            // What else is wrong would come to light only once its name is its own.
+            own.map_or_else(String::new, |refused| format!("\n{}", refused.render(self.ink)))
         ))
     }
 }

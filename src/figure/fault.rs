@@ -5,8 +5,9 @@
 //! [`ERRORS`](crate::scene::ERRORS).
 
 use std::fmt;
+use std::ops::Range;
 
-use crate::scene::{self, Explain, Severity, codes};
+use crate::scene::{self, Explain, Severity, Source, codes};
 
 use super::placement::LabelFault;
 
@@ -214,6 +215,13 @@ impl Explain for Fault {
 
     fn remedy(&self) -> Option<String> {
         if let Self::Scene(fault) = self { fault.remedy() } else { self.help() }
+    }
+
+    fn told(&self, source: &Source, span: &Range<usize>) -> String {
+        match self {
+            Self::Scene(fault) => fault.told(source, span),
+            _ => self.to_string(),
+        }
     }
 
     fn help(&self) -> Option<String> {

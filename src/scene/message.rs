@@ -14,7 +14,8 @@ use std::ops::Range;
 
 use annotate_snippets::{AnnotationKind, Element, Level, Origin, Renderer, Snippet};
 
-use super::problem::{Explain, Problem};
+use super::explain::{Explain, help_in};
+use super::problem::Problem;
 use super::source::Source;
 use super::visible::{brief, visible};
 
@@ -97,13 +98,15 @@ pub(super) fn message_at<F: Explain>(
     } else {
         elements.push(Origin::path(name.as_str()).into());
     }
-    elements.extend(fault.remedy().map(|help| Level::HELP.message(brief(&help)).into()));
+    elements
+        .extend(help_in(source.syntax, fault.remedy()).map(|help| Level::HELP.message(brief(&help)).into()));
     elements.extend(
         pointer
             .filter(|pointer| !pointer.is_empty())
             .map(|pointer| Level::NOTE.message(format!("at {}", brief(&pointer))).into()),
     );
-    let report = level.primary_title(brief(&fault.to_string())).id(fault.code()).elements(elements);
+    let report =
+        level.primary_title(brief(&fault.told(source, &problem.span))).id(fault.code()).elements(elements);
     let renderer = match ink {
         Ink::Plain => Renderer::plain(),
         Ink::Coloured => Renderer::styled(),

@@ -11,6 +11,7 @@ pub(crate) mod codes;
 mod elsewhere;
 mod exercise;
 mod expected;
+mod explain;
 mod fields;
 mod holds;
 mod house_panels;
@@ -55,6 +56,7 @@ pub use answer_fields::{LINE_FIELDS, answer_fields};
 pub use canvas::{Background, Canvas, Height};
 pub use codes::{ERRORS, ErrorCode};
 pub use exercise::{Exercise, Variant};
+pub use explain::Explain;
 pub use fields::{Field, TABLES, TableRows, shape_rows};
 pub use holds::Holds;
 #[cfg(test)]
@@ -65,7 +67,7 @@ pub use message::{Ink, Severity, message};
 pub use moment::When;
 pub use open::{Refused, SceneFile, open, open_reader, open_text};
 pub(crate) use panels::of_text as panels_of_text;
-pub use problem::{Explain, Fault, Problem};
+pub use problem::{Fault, Problem};
 #[cfg(not(tracefig_page))]
 pub use project::{CanvasDefaults, DeclaredHandout, PROJECT_FILE, Project, project};
 pub use project_fields::{PROJECT_TABLES, STEP_FILES};

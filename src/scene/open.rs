@@ -5,11 +5,12 @@ use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
+use super::explain::Explain;
 use super::limits::MAX_FILE_BYTES;
 use super::meaning::meaning;
 use super::message::{Ink, Severity, message_at};
 use super::node::Node;
-use super::problem::{Explain, Fault, Problem};
+use super::problem::{Fault, Problem};
 use super::read::from_tree;
 use super::source::{Source, Syntax};
 use super::{Scene, json};

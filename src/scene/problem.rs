@@ -193,44 +193,6 @@ impl<F> Problem<F> {
     }
 }
 
-/// A fault that can be shown to a reader: its `Display` says what is wrong, "expected X, got Y".
-pub trait Explain: fmt::Display {
-    /// The stable word for programs, one of [`ERRORS`](super::ERRORS) or of the codes of shapes.
-    fn code(&self) -> &'static str;
-
-    /// What would help, where something is known that would.
-    fn help(&self) -> Option<String>;
-
-    /// What would help, for a reader who looks at the scene: of an error always something, if only what helps
-    /// against any of its kind.
-    fn remedy(&self) -> Option<String> {
-        self.help()
-    }
-
-    /// Whether it lies at a place in the text, which is then quoted; a file that can't be read has none.
-    fn has_place(&self) -> bool {
-        true
-    }
-}
-
-impl Explain for Fault {
-    fn code(&self) -> &'static str {
-        Self::code(self)
-    }
-
-    fn help(&self) -> Option<String> {
-        Self::help(self)
-    }
-
-    fn remedy(&self) -> Option<String> {
-        self.help().or_else(|| Some(self.general()))
-    }
-
-    fn has_place(&self) -> bool {
-        !matches!(self, Self::Unreadable { .. } | Self::Endless { .. })
-    }
-}
-
 impl Fault {
     /// The stable word for programs, one of [`ERRORS`](super::ERRORS).
     ///

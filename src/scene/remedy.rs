@@ -36,6 +36,9 @@ impl Fault {
             Self::MissingKey { key, .. } if key == "shapes" => {
                 Some("as: shapes.A = { kind = \"circle\", radius = 1 }".to_owned())
             }
+            Self::WrongType { key, .. } if key == "scene" => {
+                Some("a scene is one, as: shapes.A = { kind = \"circle\", radius = 1 }".to_owned())
+            }
             Self::WrongType { key, expected, got }
                 if got == "a table" && expected.starts_with("a list of") =>
             {

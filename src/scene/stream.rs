@@ -7,6 +7,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use serde_json::json;
 
+use super::explain::{Explain, help_in};
 use super::limits::MAX_FILE_BYTES;
 use super::node::{Node, NodeValue};
 use super::open::checked;
@@ -213,10 +214,12 @@ fn too_long(got: usize) -> Fault {
 fn first_error(problems: &[Problem], source: &Source) -> (&'static str, String) {
     let Some(first) = problems.first() else { return (codes::INTERNAL.code, String::new()) };
     let mut message = match source.pointer(&first.span) {
-        Some(pointer) if !pointer.is_empty() => format!("{pointer}: {}", first.fault),
-        _ => first.fault.to_string(),
+        Some(pointer) if !pointer.is_empty() => {
+            format!("{pointer}: {}", first.fault.told(source, &first.span))
+        }
+        _ => first.fault.told(source, &first.span),
     };
-    if let Some(help) = first.fault.help() {
+    if let Some(help) = help_in(source.syntax, first.fault.help()) {
         message.push_str("; ");
         message.push_str(&help);
     }

@@ -162,7 +162,7 @@ mod tests {
     fn a_name_of_other_letters_is_to_be_quoted() {
         let problems = parse("[shapes.方块]\nkind = 'box'").unwrap_err();
         let said = problems[0].fault.to_string();
-        assert!(said.ends_with("; in quotes a name may have any: \"方块\""), "{said}");
+        assert!(said.ends_with("; such a name stands in quotes: [shapes.\"方块\"]"), "{said}");
         assert!(parse("[shapes.\"方块\"]\nkind = 'box'").is_ok());
     }
 

@@ -11,8 +11,9 @@ pub(super) fn meant(message: &str, line: &str, quoted: &str) -> Option<String> {
     if line.contains(['“', '”', '„', '«', '’', '‘']) {
         return Some("texts stand between straight quotes, as \"A\"".to_owned());
     }
-    if message.contains("unquoted key") && !quoted.is_empty() {
-        return Some(format!("in quotes a name may have any: \"{quoted}\""));
+    let is_name = message.contains("unquoted key") || message.contains("unclosed table");
+    if let Some(key) = key_in_quotes(line, quoted).filter(|_| is_name) {
+        return Some(format!("such a name stands in quotes: {key}"));
     }
     if message.contains("must be quoted") {
         let words: Vec<&str> = quoted.split_whitespace().collect();
@@ -37,6 +38,28 @@ pub(super) fn meant(message: &str, line: &str, quoted: &str) -> Option<String> {
     is_list.then(|| format!("a list stands between brackets: [{value}]"))
 }
 
+/// The key of a line around what the parser quotes, with the names in quotes that need them; a header as the
+/// whole. `None` where no name does.
+fn key_in_quotes(line: &str, quoted: &str) -> Option<String> {
+    let line = line.trim();
+    let key = if let Some(end) = line.rfind(']').filter(|_| line.starts_with('[')) {
+        &line[..=end]
+    } else {
+        let at = line.find(quoted).filter(|_| !quoted.is_empty())?;
+        let ends = ['=', '{', '}', ',', ' '];
+        let from = line[..at].rfind(ends).map_or(0, |i| i + 1);
+        &line[from..at + line[at..].find(ends).unwrap_or(line.len() - at)]
+    };
+    let named = |part: &str| {
+        let name = part.trim_matches(['[', ']']).trim();
+        let is_bare = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '"' | '\'');
+        if name.chars().all(is_bare) { part.to_owned() } else { part.replace(name, &format!("\"{name}\"")) }
+    };
+    let mended: Vec<String> = key.split('.').map(named).collect();
+    let mended = mended.join(".");
+    (mended != key).then_some(mended)
+}
+
 #[cfg(test)]
 mod tests {
     use crate::scene::open_text;
@@ -51,7 +74,11 @@ mod tests {
             ("radius = .5", "a digit stands before the point, as 0.5"),
             ("radius = 1/2", "a number is written out, as 0.5"),
             ("kind = circle", "a text stands between quotes: \"circle\""),
-            ("[shapes.方块]", "in quotes a name may have any: \"方块\""),
+            ("[shapes.方块]", "such a name stands in quotes: [shapes.\"方块\"]"),
+            ("[shapes.Tür]", "such a name stands in quotes: [shapes.\"Tür\"]"),
+            ("shapes.Tür.größe = 1", "such a name stands in quotes: shapes.\"Tür\".\"größe\""),
+            ("shapes = { Tür = { kind = 'circle' } }", "such a name stands in quotes: \"Tür\""),
+            ("[shapes.My box]", "such a name stands in quotes: [shapes.\"My box\"]"),
         ] {
             let refused = open_text("s.toml", &format!("title = 'x'\n{line}\n")).unwrap_err();
             let said = refused.problems[0].fault.to_string();

@@ -53,6 +53,7 @@ fn a_bad_line_and_a_second_one_of_a_name_are_told_with_their_numbers_and_cost_on
         line("\"x/y\"", "3"),
         line("\"X:y\"", "-3"),
         line("\"good\"", "3"),
+        line("\"good\"", "3").replace("0.5", "-1"),
     ];
     let (ran, folder) = drawn(&lines.join("\n"), &[]);
     assert_eq!((ran.code, ran.out.as_str()), (Some(1), "1.svg\nx-y.svg\ngood.svg\n"));
@@ -62,6 +63,7 @@ fn a_bad_line_and_a_second_one_of_a_name_are_told_with_their_numbers_and_cost_on
         " --> <stdin>:2:",
         "error[negative-radius]: `radius`: expected 0 or more, got -0.5\n --> <stdin>:3:",
         "error: <stdin>:5 and <stdin>:4 would both become X-y; the first one stays\n",
+        "would both become good; the first one stays\n\nerror[negative-radius]: `radius`: expected 0 or more, got -1\n",
     ] {
         assert!(ran.err.contains(told), "{told}\n{}", ran.err);
     }
