@@ -135,6 +135,17 @@ const quantile = (values, share) => {
     return sorted.length > 0 ? sorted[Math.floor(share * (sorted.length - 1))] : Number.NaN;
 };
 
+// Goes to the page's own address without numbers, back and forward.
+async function wander(page, stem) {
+    const [moved, plain] = [await shown(page), page.url().replace(/#.*/, "#")];
+    await page.goto(plain);
+    await page.waitForTimeout(SAID);
+    if (!(await picture(page))) fail(stem, "an address without numbers shows another picture than at rest");
+    await page.goBack();
+    await page.waitForTimeout(SAID);
+    if ((await shown(page)) !== moved) fail(stem, "one step back the picture is another one");
+}
+
 async function figure(stem) {
     const file = join(site, `${stem}.html`);
     const html = readFileSync(file, "utf8");
@@ -171,6 +182,7 @@ async function figure(stem) {
         await again.waitForTimeout(SAID);
         if ((await shown(again)) !== (await shown(page))) fail(stem, `shows something else at ${page.url()}`);
         await again.close();
+        await wander(page, stem);
     }
     const time = page.locator(".numbers input").last();
     if ((await page.locator(".time").count()) > 0) {

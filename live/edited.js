@@ -87,6 +87,15 @@ class Edited {
         if (this.alone && location.hash.length > 1) this.alive(() => this.takeAddress());
     }
 
+    // Goes where another address says, which may be the scene as it is: back and forward of the browser.
+    anew() {
+        this.alive(() => {
+            this.forget();
+            this.takeAddress();
+            this.settleNow();
+        });
+    }
+
     takeAddress() {
         const parts = this.alone ? location.hash.slice(1).split("&").filter(Boolean) : [];
         const said = new Map(parts.map((part) => part.split("=")));

@@ -73,8 +73,7 @@ class Figure extends Edited {
         this.stage.addEventListener("pointerdown", (event) => this.grab(event));
         this.shown();
         new ResizeObserver(() => this.fit()).observe(this.root);
-        const anew = () => this.alive(() => this.forget() ?? this.fromAddress());
-        if (this.alone) addEventListener("hashchange", anew);
+        if (this.alone) addEventListener("hashchange", () => this.anew());
         this.fromAddress();
         this.speak(0);
         this.root.dataset.live = "yes";
