@@ -134,6 +134,8 @@ fn sheets(
         ("per_page", said.per_page.as_ref().map(|value| &value.span)),
         ("paper", said.paper.as_ref().map(|value| &value.span)),
         ("numbers", said.numbers.as_ref().map(|value| &value.span)),
+        ("heading", said.heading.as_ref().map(|value| &value.span)),
+        ("name_line", said.name_line.as_ref().map(|value| &value.span)),
     ];
     if !format.has_sheets()
         && let Some((key, span)) = keys.into_iter().find_map(|(key, span)| Some((key, span?)))
@@ -146,9 +148,7 @@ fn sheets(
         return project
             .wrong(Fault::UnknownWord { what: "paper", got: paper.value.clone(), known }, &paper.span);
     }
-    let paper = said.paper.as_ref().map(|paper| paper.value.clone());
-    let has_numbers = said.numbers.as_ref().is_none_or(|numbers| numbers.value);
-    Ok(Sheets::of_a_project(said.per_page.as_ref().map(|count| count.value), paper, has_numbers))
+    Ok(Sheets::of_a_project(said))
 }
 
 /// Numbers of variants as a project file writes them.

@@ -10,7 +10,9 @@ use clap::Args;
 use clap::builder::PossibleValuesParser;
 use tracefig::drawing::Drawing;
 use tracefig::drift::{text_chunk, text_chunk_of_several};
-use tracefig::output::{FORMATS, Format, Handout, MOST_A_SHEET, OutputError, PAPERS};
+use tracefig::output::{FORMATS, Format, Handout, Heading, MOST_A_SHEET, OutputError, PAPERS};
+
+use tracefig::scene::DeclaredHandout;
 
 use super::Status;
 use super::atomic_file::write_whole;
@@ -42,6 +44,12 @@ pub(crate) struct Sheets {
     /// Leave out the line "Figure N" below each figure of these sheets
     #[arg(long, conflicts_with = "steps")]
     no_numbers: bool,
+    /// Words above the figures of the first of these sheets, as "Sheet 3: distances"
+    #[arg(long, value_name = "TEXT", conflicts_with = "steps")]
+    heading: Option<String>,
+    /// A line for a name at the right of the first of these sheets
+    #[arg(long, conflicts_with = "steps")]
+    name_line: bool,
     /// Whether one figure is a document as well.
     #[arg(skip)]
     is_document: bool,
@@ -65,13 +73,21 @@ struct Document {
 
 impl Sheets {
     /// The sheets of a document that a project declares, even of one figure.
-    pub(crate) fn of_a_project(per_page: Option<usize>, paper: Option<String>, has_numbers: bool) -> Self {
-        Self { per_page, paper, no_numbers: !has_numbers, is_document: true }
+    pub(crate) fn of_a_project(said: &DeclaredHandout) -> Self {
+        Self {
+            per_page: said.per_page.as_ref().map(|count| count.value),
+            paper: said.paper.as_ref().map(|paper| paper.value.clone()),
+            no_numbers: said.numbers.as_ref().is_some_and(|numbers| !numbers.value),
+            heading: said.heading.as_ref().map(|heading| heading.value.clone()),
+            name_line: said.name_line.as_ref().is_some_and(|line| line.value),
+            is_document: true,
+        }
     }
 
     /// Whether anything is said of sheets.
     pub(crate) fn are_asked(&self) -> bool {
-        self.per_page.is_some() || self.paper.is_some() || self.no_numbers
+        let words = self.no_numbers || self.heading.is_some() || self.name_line;
+        self.per_page.is_some() || self.paper.is_some() || words
     }
 
     /// Writes the document of a run; `None` where the run writes other files.
@@ -163,7 +179,7 @@ impl Sheets {
             let with_sheets = FORMATS.iter().filter(|format| format.has_sheets());
             let names: Vec<String> = with_sheets.map(|format| format!("-o FILE.{}", format.name)).collect();
             return Err(format!(
-                "`--per-page`, `--paper` and `--no-numbers` need one file for all figures: {}",
+                "options of sheets, as `--per-page`, need one file for all figures: {}",
                 names.join(" or ")
             ));
         }
@@ -183,6 +199,7 @@ impl Sheets {
             paper: paper.unwrap_or(usual.paper),
             per_page: self.per_page.unwrap_or(usual.per_page),
             numbers: !self.no_numbers,
+            heading: Heading { title: self.heading.clone().unwrap_or_default(), name: self.name_line },
         }
     }
 }

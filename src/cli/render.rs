@@ -39,10 +39,10 @@ pub(crate) struct Render {
     /// Read a scene (as JSON) a line from standard input, as `solve` does; each becomes files named by its
     /// `id`, or `line-N` without one
     #[arg(long, conflicts_with_all = ["scenes", "skip_unchanged", "partition",
-        "per_page", "paper", "no_numbers"])]
+        "per_page", "paper", "no_numbers", "heading", "name_line"])]
     jsonl: bool,
     /// Leave scenes alone whose files say that this version drew them from the same scene and options
-    #[arg(long, conflicts_with_all = ["per_page", "paper", "no_numbers"])]
+    #[arg(long, conflicts_with_all = ["per_page", "paper", "no_numbers", "heading", "name_line"])]
     skip_unchanged: bool,
     /// Draw only the Kth of N equal shares of the scenes, so that N machines share the work
     #[arg(long, value_name = "K/N")]
@@ -52,7 +52,8 @@ pub(crate) struct Render {
     /// page lists them
     #[arg(long, value_name = "shared", num_args = 0..=1, require_equals = true,
         default_missing_value = "alone", value_parser = Live::of_word,
-        conflicts_with_all = ["jsonl", "skip_unchanged", "in_time", "per_page", "paper", "no_numbers"])]
+        conflicts_with_all = ["jsonl", "skip_unchanged", "in_time", "per_page", "paper", "no_numbers",
+            "heading", "name_line"])]
     live: Option<Live>,
     /// How figures are put onto sheets.
     #[command(flatten)]

@@ -6,6 +6,7 @@
 
 use std::sync::Arc;
 
+use super::heading::Heading;
 use super::{Binder, Format, OutputError};
 use crate::drawing::{Color, Drawing, Paint, Point, Role, Shown, Text};
 use crate::typeset::{Style, typeset};
@@ -52,7 +53,7 @@ pub(super) const POINTS: f64 = 0.75;
 pub const MOST_A_SHEET: usize = 36;
 
 /// How figures are put onto sheets.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Handout {
     /// The paper.
     pub paper: Paper,
@@ -60,12 +61,14 @@ pub struct Handout {
     pub per_page: usize,
     /// Whether each figure has its number below it, counted over all sheets: "Figure 3".
     pub numbers: bool,
+    /// What stands above the figures of the first sheet.
+    pub heading: Heading,
 }
 
 impl Default for Handout {
     /// Two figures on a sheet of A4, numbered: those of a usual page then are as wide as the sheet.
     fn default() -> Self {
-        Self { paper: PAPERS[0], per_page: 2, numbers: true }
+        Self { paper: PAPERS[0], per_page: 2, numbers: true, heading: Heading::default() }
     }
 }
 
@@ -168,7 +171,9 @@ impl Handout {
                 some.iter().enumerate().map(|(cell, drawing)| grid.place(cell, drawing)).collect();
             let numbered = (i * per_page + 1..).zip(&figures).filter(|_| self.numbers);
             let captions = numbered.filter_map(|(number, placed)| caption(number, placed));
-            let words = captions.chain(page_number(i + 1, of, grid.sheet)).collect();
+            let head = || self.heading.words((grid.sheet[0], MARGIN), some.first().copied());
+            let head = if i == 0 { head() } else { Vec::new() };
+            let words = captions.chain(page_number(i + 1, of, grid.sheet)).chain(head).collect();
             Sheet { size: grid.sheet, figures, words }
         };
         drawings.chunks(per_page).enumerate().map(sheet).collect()
@@ -261,7 +266,7 @@ mod tests {
         let drawings: Vec<&Drawing> = all.iter().cycle().take(11).collect();
         for paper in PAPERS {
             for per_page in 1..=9 {
-                let sheets = Handout { paper, per_page, numbers: true }.sheets(&drawings);
+                let sheets = Handout { paper, per_page, ..Handout::default() }.sheets(&drawings);
                 assert_eq!(sheets.len(), drawings.len().div_ceil(per_page));
                 for sheet in &sheets {
                     let ends = |p: &Placed| {
@@ -289,7 +294,7 @@ mod tests {
         let (wide, tall) = (sample(960.0, 540.0), sample(540.0, 960.0));
         let [a4, _] = PAPERS;
         let grid = |drawing, per_page| {
-            let grid = Handout { paper: a4, per_page, numbers: true }.grid(&[drawing], per_page);
+            let grid = Handout { paper: a4, per_page, ..Handout::default() }.grid(&[drawing], per_page);
             (grid.sheet[0] > grid.sheet[1], grid.cells)
         };
         assert_eq!(grid(&wide, 1), (true, [1, 1]), "across");

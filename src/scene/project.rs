@@ -57,6 +57,10 @@ pub struct DeclaredHandout {
     pub paper: Option<Spanned<String>>,
     /// Whether each figure has its number below it.
     pub numbers: Option<Spanned<bool>>,
+    /// Words above the figures of its first sheet.
+    pub heading: Option<Spanned<String>>,
+    /// Whether that has a line for a name.
+    pub name_line: Option<Spanned<bool>>,
 }
 
 /// Keys of `[canvas]` for scenes that do not have them.
@@ -125,8 +129,10 @@ fn handout(node: &Node, p: &mut Problems) -> Option<DeclaredHandout> {
         };
         variants.push(variant);
     }
-    let numbers = table.switch("numbers");
-    let numbered = table.get("numbers").map(|node| node.span.clone());
+    let switch = |key| {
+        let span = table.get(key)?.span.clone();
+        table.switch(key).map(|value| Spanned { value, span })
+    };
     Some(DeclaredHandout {
         scenes: words(&table, "scenes", p),
         theme: table.text("theme"),
@@ -134,7 +140,9 @@ fn handout(node: &Node, p: &mut Problems) -> Option<DeclaredHandout> {
         seeds: table.texts("seeds"),
         per_page: table.count("per_page"),
         paper: table.text("paper"),
-        numbers: numbers.zip(numbered).map(|(value, span)| Spanned { value, span }),
+        numbers: switch("numbers"),
+        heading: table.text("heading"),
+        name_line: switch("name_line"),
         file: table.text("file")?,
     })
 }

@@ -69,6 +69,8 @@ pub(super) static HANDOUT: TableRows = TableRows {
         may("per_page", Holds::Count { min: 1, max: MAX_A_SHEET }, "figures on a sheet; default 2"),
         may("paper", Holds::Text, "paper of the sheets; default \"a4\""),
         may("numbers", Holds::Switch, "whether a line \"Figure N\" stands below each; default true"),
+        may("heading", Holds::Text, "words above the figures of the first sheet"),
+        may("name_line", Holds::Switch, "whether a line for a name stands there; default false"),
     ],
 };
 

@@ -43,18 +43,21 @@ fn sheets(pdf: &Path) -> usize {
 
 #[test]
 fn a_handout_of_a_project_is_written_and_compared_with_its_figures() {
-    let folder = project("file = 'out/all.pdf'\nper_page = 1\npaper = 'letter'\nnumbers = false");
+    let keys = "per_page = 1\npaper = 'letter'\nnumbers = false\nheading = 'Sheet 3'\nname_line = true";
+    let folder = project(&format!("file = 'out/all.pdf'\n{keys}"));
     let here = folder.path();
     let rendered = ran(here, &["render"]);
     assert_eq!(rendered.code, Some(0), "{}", rendered.err);
     assert!(rendered.out.ends_with("out/all.pdf\n") && rendered.out.lines().count() == 5, "{}", rendered.out);
     // A sheet a scene: its first theme alone, finished, whatever the figures are drawn as.
     assert_eq!(sheets(&here.join("out/all.pdf")), 2);
-    let options = ["-o", "same.pdf", "--per-page", "1", "--paper", "letter", "--no-numbers"];
+    let sheets_as =
+        ["--per-page", "1", "--paper", "letter", "--no-numbers", "--heading", "Sheet 3", "--name-line"];
+    let options = [&["-o", "same.pdf"], &sheets_as[..]].concat();
     let own = ran(here, &[&["render", "docs/scenes", "--theme", "light"], &options[..]].concat());
     assert_eq!(own.code, Some(0), "the project asks for steps, which sheets do not have: {}", own.err);
     assert_eq!(fs::read(here.join("same.pdf")).unwrap(), fs::read(here.join("out/all.pdf")).unwrap());
-    let options = ["--handout", "same.pdf", "--per-page", "1", "--paper", "letter", "--no-numbers"];
+    let options = [&["--handout", "same.pdf"], &sheets_as[..]].concat();
     let own = ran(here, &[&["check", "docs/scenes", "--theme", "light"], &options[..]].concat());
     assert_eq!((own.code, own.out.as_str()), (Some(0), "1 identical, 0 changed, 0 missing\n"), "{}", own.err);
     let usual = ran(here, &["render", "docs/scenes", "--theme", "light", "-o", "usual.pdf"]);
