@@ -86,7 +86,7 @@ impl<'r, 's> Resolver<'r, 's> {
         }
         // Else its lines would run through numbers and bodies.
         let (beneath, above): (Vec<_>, Vec<_>) =
-            layers.into_iter().partition(|planned| planned.layer.name == layer::GRID);
+            layers.into_iter().partition(|planned| layer::lies_beneath(planned.layer));
         let layers = beneath.into_iter().chain(above).collect();
         let title = source.title.as_ref().and_then(|t| {
             let style = Style::semibold(self.measures.title_size());

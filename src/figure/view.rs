@@ -253,6 +253,7 @@ mod tests {
                 layers.retain(|layer| layer.name.value != "enlarged");
             }
         }
+        scene.labels.retain(|(key, _)| key.value != "enlarged");
         let mut plan = plan(&scene).unwrap();
         let before: Vec<Frame> = plan.panels.iter().map(|panel| panel.frame).collect();
         let sketched = sketch(&scene, &plan.runs, plan.theme, &plan.panels).unwrap();

@@ -66,7 +66,7 @@ pub fn solve(scene: &Scene) -> Answer {
 /// ```
 /// let reply = tracefig::scene::solve_jsonl_line(r#"{"id": 7, "shapes": {}}"#, 3);
 /// assert!(reply.line.starts_with(r#"{"id":7,"line":3,"error":{"code":"missing-key","message":"#));
-/// assert!(reply.line.contains("the scene lacks `query`: expected a table"));
+/// assert!(reply.line.contains("the scene lacks `query`: expected an object"));
 /// assert!(!reply.solved);
 /// ```
 #[must_use]

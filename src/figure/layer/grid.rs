@@ -16,11 +16,8 @@ pub(super) const STEP: OptionSpec = OptionSpec {
     about: "from one to the next, units of the panel's space",
 };
 
-/// The layer that lies beneath all others of its panel.
-pub(in crate::figure) const GRID: &str = "grid";
-
 pub(super) const LAYER: Layer = Layer {
-    name: GRID,
+    name: "grid",
     about: "a quiet grid at round steps of the panel's space, beneath all other layers",
     shows: Shows::Anywhere,
     tells: Tells::Given,
@@ -74,6 +71,11 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let (upright, level): (Vec<_>, Vec<_>) = (lines(x, &upright), lines(y, &level));
     sketch.part("upright").quiet_lines(&upright, pen);
     sketch.part("level").quiet_lines(&level, pen);
+}
+
+/// Whether a layer lies beneath all others of its panel, wherever it is listed.
+pub(in crate::figure) fn lies_beneath(layer: &Layer) -> bool {
+    layer.name == LAYER.name
 }
 
 #[cfg(test)]

@@ -75,7 +75,7 @@ use crate::figure::sketch::Sketch;
 use crate::geometry::Side;
 
 pub(crate) use fed::Fed;
-pub(super) use grid::GRID;
+pub(super) use grid::lies_beneath;
 pub(crate) use options::{OptionSpec, Options, Takes};
 pub(crate) use shapes::shows_context;
 
