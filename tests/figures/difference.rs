@@ -175,7 +175,7 @@ fn demo_polygons_shows_the_way_out_to_the_nearest_edge() {
 #[test]
 fn gjk_steps_shows_the_simplex_its_closest_point_and_the_vertex_that_comes_next() {
     let f = figure("gjk-steps");
-    let view = [-2.1, -2.5, 11.1, 8.3];
+    let view = [-2.2, -2.5, 11.2, 8.3];
     let panels = [0, 1, 2, 3].map(|i| look(&f, i, view));
     for panel in &panels {
         // (2, 5) − (3, −2), and so on: faint, as no vertex is known before it is asked for.
