@@ -98,8 +98,8 @@ pub(super) fn message_at<F: Explain>(
     } else {
         elements.push(Origin::path(name.as_str()).into());
     }
-    // What helps against any fault of a kind speaks of a file: what a program made of values has none.
-    let help = if source.text.is_empty() { fault.help() } else { fault.remedy() };
+    // What helps against any fault of a kind speaks of a file: what a program made of values has no name.
+    let help = if source.name.is_empty() { fault.help() } else { fault.remedy() };
     elements.extend(help_in(source.syntax, help).map(|help| Level::HELP.message(brief(&help)).into()));
     elements.extend(
         pointer
