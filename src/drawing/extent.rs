@@ -209,14 +209,14 @@ impl Group {
     /// let mut panel = Group::new("panel");
     /// assert_eq!(panel.extent(), None);
     /// panel.items.push(Item::Path(Path::filled(disc, Paint::role(Role::A, Color::hex(0)))));
-    /// panel.clip = Some(Rect { x0: 0.0, y0: -5.0, x1: 50.0, y1: 5.0 });
+    /// panel.clip = Some(Rect { x0: 0.0, y0: -5.0, x1: 50.0, y1: 5.0 }.into());
     /// assert_eq!(panel.extent(), Some(Rect { x0: 0.0, y0: -5.0, x1: 10.0, y1: 5.0 }));
     /// ```
     #[must_use]
     pub fn extent(&self) -> Option<Rect> {
         let all = self.items.iter().filter_map(Item::extent).reduce(Rect::union)?;
         match self.clip {
-            Some(clip) => all.intersection(clip),
+            Some(clip) => all.intersection(clip.rect),
             None => Some(all),
         }
     }
@@ -291,7 +291,7 @@ mod tests {
         let contour = Contour::Circle { center: Point::new(0.0, 0.0), radius: 10.0 };
         let paint = super::super::Paint::role(super::super::Role::Ink, super::super::Color::hex(0));
         group.items.push(Item::Path(Path::filled(contour, paint)));
-        group.clip = Some(Rect { x0: 0.0, y0: -5.0, x1: 50.0, y1: 5.0 });
+        group.clip = Some(Rect { x0: 0.0, y0: -5.0, x1: 50.0, y1: 5.0 }.into());
         assert_eq!(group.extent(), Some(Rect { x0: 0.0, y0: -5.0, x1: 10.0, y1: 5.0 }));
     }
 }

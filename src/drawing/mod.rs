@@ -3,6 +3,7 @@
 //! This list is closed: an output format draws a [`Drawing`] by looking at these types and at nothing else. A
 //! circle stays a circle and an arc an arc, so that each format can choose its own way to say them.
 
+mod clip;
 mod extent;
 mod motion;
 mod offset;
@@ -14,6 +15,7 @@ mod steps;
 
 use std::sync::Arc;
 
+pub use clip::Clip;
 pub use motion::MotionFrame;
 pub use offset::Offset;
 pub(crate) use paint::blend;
@@ -188,8 +190,8 @@ pub struct Group {
     pub label: Option<String>,
     /// Opacity of the group as a whole, from 0 to 1: what overlaps inside it is not seen through.
     pub opacity: f64,
-    /// The rectangle outside which nothing of the group is drawn; none draws all.
-    pub clip: Option<Rect>,
+    /// Where nothing of the group is drawn outside; none draws all.
+    pub clip: Option<Clip>,
     /// The items, in painting order.
     pub items: Vec<Item>,
 }

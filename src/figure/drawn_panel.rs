@@ -1,6 +1,6 @@
 //! A panel to groups of a display list: what its layers draw, its inset, its labels at their places.
 
-use crate::drawing::{Contour, Group, Halo, Item, Path, Rect, Role, Shown, Stroke};
+use crate::drawing::{Clip, Contour, Group, Halo, Item, Path, Rect, Role, Shown, Stroke};
 use crate::scene::Space;
 
 use super::cue::Cue;
@@ -147,7 +147,7 @@ pub(super) fn draw_panel(
         detail.label = Some(inset.in_words());
         let names = labels(&labelled, &sketched.requests, theme);
         let (first, own) = (cues.len(), sketched.cues.clone());
-        let edge = sketched.frame.panel;
+        let edge = sketched.frame.panel.into();
         detail.items = vec![ground, layers(sketched, edge), frame, names];
         let mut detail = Item::Group(detail);
         detail.for_each_shown(&|shown| *shown = shown.after(first));
@@ -174,8 +174,8 @@ fn labelled(
     place(sought, &ground)
 }
 
-/// What layers drew, cut off at the edges of a rectangle.
-fn layers(sketched: Sketched, edge: Rect) -> Item {
+/// What layers drew, cut off at an edge.
+fn layers(sketched: Sketched, edge: Clip) -> Item {
     let mut layers = Group::new("layers");
     layers.clip = Some(edge);
     layers.items = sketched.layers.into_iter().map(without_empty_parts).map(Item::Group).collect();

@@ -1,7 +1,7 @@
 //! What tells panels apart: a pale ground behind each, on which what is empty looks as meant and what is cut
 //! off ends at an edge. On paper it would be a screen of dots, so that there a thin line stands between them.
 
-use crate::drawing::{Contour, Group, Item, Path, Rect, Role, Stroke};
+use crate::drawing::{Clip, Contour, Group, Item, Path, Rect, Role, Stroke};
 
 use super::plan::Plan;
 use super::theme::Theme;
@@ -15,8 +15,7 @@ const TINT: f64 = 0.35;
 const ASIDE: f64 = 1.0 / 3.0;
 /// How far it reaches above and below, as a share of that: titles and captions stand there.
 const ABOVE: f64 = 1.0 / 6.0;
-/// The radius of its corners, as a share of that gap: 6 px of 24, so that a body that is cut off in a corner
-/// stands out of it by 2.5.
+/// The radius of its corners, as a share of that gap: 6 px of 24.
 const CORNER: f64 = 0.25;
 
 /// What tells the panels of a page apart; nothing where there is one.
@@ -25,23 +24,21 @@ pub(super) fn grounds(plan: &Plan, theme: &Theme) -> Item {
         return rules(plan, theme);
     }
     let mut group = Group::new("grounds");
-    let corner = CORNER * plan.layout.measures.gap();
     for cell in plan.page.cells.iter().filter(|_| plan.page.cells.len() > 1) {
         let paint = theme.paint(Role::Grid).with_opacity(TINT);
-        group
-            .items
-            .push(Item::Path(Path::filled(Contour::rounded(ground(*cell, plan, theme), corner), paint)));
+        group.items.push(Item::Path(Path::filled(ground(*cell, plan, theme).contour(), paint)));
     }
     Item::Group(group)
 }
 
 /// What a panel's drawing is cut off at: the edges of its ground, or its own where it has none.
-pub(super) fn ground(cell: Rect, plan: &Plan, theme: &Theme) -> Rect {
+pub(super) fn ground(cell: Rect, plan: &Plan, theme: &Theme) -> Clip {
     if plan.page.cells.len() < 2 || !theme.counts_on_color() {
-        return cell;
+        return cell.into();
     }
-    let [aside, above] = [ASIDE, ABOVE].map(|share| share * plan.layout.measures.gap());
-    Rect { x0: cell.x0 - aside, y0: cell.y0 - above, x1: cell.x1 + aside, y1: cell.y1 + above }
+    let [aside, above, corner] = [ASIDE, ABOVE, CORNER].map(|share| share * plan.layout.measures.gap());
+    let rect = Rect { x0: cell.x0 - aside, y0: cell.y0 - above, x1: cell.x1 + aside, y1: cell.y1 + above };
+    Clip::rounded(rect, corner)
 }
 
 /// The thin lines between panels.

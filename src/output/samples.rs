@@ -4,8 +4,8 @@
 use std::sync::Arc;
 
 use crate::drawing::{
-    Cap, Color, Contour, Drawing, Group, Halo, Item, Paint, Path, Pattern, PatternKind, Point, Rect, Role,
-    Segment, Shown, Stroke, Text,
+    Cap, Clip, Color, Contour, Drawing, Group, Halo, Item, Paint, Path, Pattern, PatternKind, Point, Rect,
+    Role, Segment, Shown, Stroke, Text,
 };
 use crate::typeset::{Style, typeset, wrap};
 
@@ -132,7 +132,8 @@ fn sector() -> Item {
     let hatch = Some(Pattern { kind: PatternKind::Hatch, paint: paint(Role::Difference).with_opacity(0.6) });
     let mut group = Group::new("difference");
     group.role = Some(Role::Difference);
-    group.clip = Some(Rect { x0: 105.25, y0: 80.0, x1: 300.0, y1: 210.5 });
+    let clip = Rect { x0: 105.25, y0: 80.0, x1: 300.0, y1: 210.5 };
+    group.clip = Some(Clip::rounded(clip, 20.0));
     group.items.push(Item::Path(Path { pattern: hatch, ..path(contour, Role::Difference, 3.0) }));
     Item::Group(group)
 }

@@ -56,7 +56,7 @@ fn walk(items: &mut [Item], (clip, opacity): (Option<Rect>, f64), areas: &mut Ve
     for item in items {
         match item {
             Item::Group(group) => {
-                let clip = match (clip, group.clip) {
+                let clip = match (clip, group.clip.map(|clip| clip.rect)) {
                     (Some(a), Some(b)) => Some(a.intersection(b).unwrap_or_default()),
                     (a, b) => a.or(b),
                 };

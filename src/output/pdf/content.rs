@@ -14,7 +14,8 @@ use super::super::number::{hundredths, millionths};
 use super::SETTINGS;
 use super::letters::Letters;
 use crate::drawing::{
-    Cap, Color, Contour, Drawing, Group, Halo, Item, Paint, Path, Pattern, Point, Rect, Segment, Stroke, Text,
+    Cap, Clip, Color, Contour, Drawing, Group, Halo, Item, Paint, Path, Pattern, Point, Rect, Segment,
+    Stroke, Text,
 };
 use crate::typeset::{Glyph, Rule, UNITS_PER_EM};
 
@@ -172,7 +173,7 @@ impl Painter {
 
     fn group(&mut self, group: &Group) {
         if let Some(clip) = group.clip {
-            self.rect(clip);
+            self.around(clip);
             self.operators.clip_nonzero().end_path();
         }
         if group.opacity < 1.0 {
@@ -219,6 +220,14 @@ impl Painter {
             self.contour(&Contour::line(from, to));
         }
         self.operators.stroke();
+    }
+
+    /// The line around a clip.
+    fn around(&mut self, clip: Clip) {
+        match clip.radius {
+            0.0 => self.rect(clip.rect),
+            _ => self.contour(&clip.contour()),
+        }
     }
 
     fn stroke_style(&mut self, stroke: &Stroke) {

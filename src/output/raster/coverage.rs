@@ -9,7 +9,7 @@ use std::ops::Range;
 
 use tiny_skia::{FillRule, IntSize, Mask, Path, Transform};
 
-use crate::drawing::Rect;
+use crate::drawing::Clip;
 
 /// Levels of coverage: as many as a pixel has samples, so that none is lost, and so few that an image has few
 /// colours.
@@ -131,22 +131,73 @@ fn push(spans: &mut Vec<Span>, start: u32, end: u32, level: u32) {
     spans.push(Span { start, end, level });
 }
 
-/// Cuts the spans of row `y` by a rectangle, in image pixels, that may end inside a pixel: the product of
-/// both coverages.
+/// Cuts the spans of row `y` by a clip, in image pixels, that may end inside a pixel: the product of both
+/// coverages.
 #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "columns and levels of an image")]
-#[expect(clippy::cast_precision_loss, reason = "an image is smaller than 2^26")]
-pub(super) fn cut(spans: &[Span], y: usize, clip: Rect, inside: &mut Vec<Span>) {
+pub(super) fn cut(spans: &[Span], y: usize, clip: Clip, inside: &mut Vec<Span>) {
     inside.clear();
-    let row = covered(y as f64, clip.y0, clip.y1);
-    // Only the clip's first and last column can be covered in part; they may be one.
-    let (first, last) = (clip.x0.floor(), clip.x1.ceil() - 1.0);
-    let columns = [(first, first + 1.0), (first + 1.0, last), (last.max(first + 1.0), last + 1.0)];
+    let row = ClippedRow::of(y, clip);
     for span in spans {
-        for (start, end) in columns {
-            let level = f64::from(span.level) * row * covered(start, clip.x0, clip.x1);
+        row.columns(|start, end| {
+            let level = f64::from(span.level) * row.covered(start);
             let column = |x: f64| (x.max(0.0) as u32).clamp(span.start, span.end);
             push(inside, column(start), column(end), level.round() as u32);
+        });
+    }
+}
+
+/// Parts into which a row is cut where a corner is round: its coverage is then off by a hundredth or so.
+const PARTS: u8 = 8;
+
+/// What a clip leaves of a row of pixels.
+struct ClippedRow {
+    /// Where its parts begin and end, each with its share of the row's height.
+    parts: [(f64, f64, f64); PARTS as usize],
+    /// Its first column, the one after those that a left corner reaches, the first that a right one reaches,
+    /// and the one after the last.
+    columns: [f64; 4],
+}
+
+impl ClippedRow {
+    #[expect(clippy::cast_precision_loss, reason = "an image is smaller than 2^26")]
+    fn of(y: usize, clip: Clip) -> Self {
+        let Clip { rect, radius } = clip;
+        let top = y as f64;
+        let is_round = top < rect.y0 + radius || top + 1.0 > rect.y1 - radius;
+        let mut parts = [(0.0, rect.x0, rect.x1); PARTS as usize];
+        if is_round {
+            let height = 1.0 / f64::from(PARTS);
+            for (part, i) in parts.iter_mut().zip(0..PARTS) {
+                let from = top + f64::from(i) * height;
+                let middle = from + 0.5 * height;
+                let taken = clip.taken((middle - rect.y0).min(rect.y1 - middle).max(0.0));
+                let share = (rect.y1.min(from + height) - rect.y0.max(from)).max(0.0);
+                *part = (share, rect.x0 + taken, rect.x1 - taken);
+            }
+        } else {
+            parts[0].0 = covered(top, rect.y0, rect.y1);
         }
+        // A column that the clip ends in is covered in part; the first and the last may be one.
+        let reach = if is_round { radius.ceil() } else { 0.0 };
+        let (first, end) = (rect.x0.floor(), rect.x1.ceil());
+        let left = (first + 1.0 + reach).min(end);
+        Self { parts, columns: [first, left, (end - 1.0 - reach).max(left), end] }
+    }
+
+    /// Calls `lay` with the first column of each run that is covered alike, and the one after it.
+    fn columns(&self, mut lay: impl FnMut(f64, f64)) {
+        let [first, left, right, end] = self.columns;
+        let mut next = first;
+        while next < end {
+            let after = if (left..right).contains(&next) { right } else { next + 1.0 };
+            lay(next, after);
+            next = after;
+        }
+    }
+
+    /// How much of the pixel in the column that begins at `start` the clip leaves.
+    fn covered(&self, start: f64) -> f64 {
+        self.parts.iter().map(|&(share, low, high)| share * covered(start, low, high)).sum()
     }
 }
 

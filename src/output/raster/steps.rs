@@ -8,7 +8,7 @@ use super::blend::{Fineness, Ink};
 use super::coverage::{Filler, Part, Span};
 use super::glyphs::{self, Placed};
 use super::paths;
-use crate::drawing::{self, Group, Item, Paint, Pattern, Rect, Text};
+use crate::drawing::{self, Clip, Group, Item, Paint, Pattern, Rect, Text};
 
 /// A step of painting.
 pub(super) enum Step {
@@ -20,8 +20,8 @@ pub(super) enum Step {
         area: Area,
         /// The pixels that hold what is seen of the area.
         part: Part,
-        /// The rectangle, in image pixels, that cuts it; none where it lies inside.
-        clip: Option<Rect>,
+        /// What cuts it, in image pixels; none where it lies inside.
+        clip: Option<Clip>,
     },
     /// A see-through group begins: the pixels of this part are kept.
     Save(Part),
@@ -130,7 +130,7 @@ struct Recorder {
     /// Image pixels of a page pixel.
     scale: f64,
     /// The clip in force, in image pixels.
-    clip: Option<Rect>,
+    clip: Option<Clip>,
 }
 
 impl Recorder {
@@ -147,8 +147,10 @@ impl Recorder {
     fn group(&mut self, group: &Group) {
         let Some(clip) = group.clip else { return self.see_through(group) };
         let s = self.scale;
-        let clip = Rect { x0: clip.x0 * s, y0: clip.y0 * s, x1: clip.x1 * s, y1: clip.y1 * s };
-        let Some(clip) = self.clip.map_or(Some(clip), |outer| outer.intersection(clip)) else { return };
+        let Clip { rect: Rect { x0, y0, x1, y1 }, radius } = clip;
+        let rect = Rect { x0: x0 * s, y0: y0 * s, x1: x1 * s, y1: y1 * s };
+        let clip = Clip { rect, radius: radius * s };
+        let Some(clip) = self.clip.map_or(Some(clip), |outer| clip.inside(outer)) else { return };
         let outer = self.clip.replace(clip);
         self.see_through(group);
         self.clip = outer;
@@ -222,10 +224,10 @@ impl Recorder {
 
     /// An area in `share` of a colour; all of it lies in `bounds`, in image pixels.
     fn lay(&mut self, area: Area, paint: &Paint, share: f64, bounds: Rect) {
-        let visible = self.clip.map_or(Some(bounds), |clip| clip.intersection(bounds));
+        let visible = self.clip.map_or(Some(bounds), |clip| clip.rect.intersection(bounds));
         let Some(part) = visible.and_then(|visible| self.part(visible)) else { return };
         let ink = Ink::of(&paint.with_opacity(paint.opacity * share), Fineness::at(self.scale));
-        let clip = self.clip.filter(|_| visible != Some(bounds));
+        let clip = self.clip.filter(|clip| !clip.spares(bounds));
         self.steps.push(Step::Lay { ink, area, part, clip });
     }
 

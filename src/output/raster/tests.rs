@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use super::rasterize;
 use crate::drawing::{
-    Cap, Color, Contour, Drawing, Group, Halo, Item, Paint, Path, Pattern, PatternKind, Point, Rect, Role,
-    Segment, Shown, Stroke, Text,
+    Cap, Clip, Color, Contour, Drawing, Group, Halo, Item, Paint, Path, Pattern, PatternKind, Point, Rect,
+    Role, Segment, Shown, Stroke, Text,
 };
 use crate::typeset::{Style, typeset};
 
@@ -315,7 +315,7 @@ fn a_pattern_stays_inside_its_area_and_covers_its_share() {
 #[test]
 fn a_clip_cuts_whatever_is_in_it_at_parts_of_pixels() {
     let mut group = Group::new("clipped");
-    group.clip = Some(Rect { x0: 10.25, y0: 10.5, x1: 60.5, y1: 60.0 });
+    group.clip = Some(Rect { x0: 10.25, y0: 10.5, x1: 60.5, y1: 60.0 }.into());
     group.items = filled(polygons(&[&[(0.0, 0.0), (90.0, 0.0), (90.0, 90.0), (0.0, 90.0)]]));
     let seen = Seen::of(vec![Item::Group(group)], (100.0, 100.0), 1.0);
     let near = |x, y, expected: f64| assert!((seen.at(x, y) - expected).abs() < 0.01, "{}", seen.at(x, y));
@@ -324,6 +324,22 @@ fn a_clip_cuts_whatever_is_in_it_at_parts_of_pixels() {
     near(10, 10, 0.375);
     near(60, 59, 0.5);
     assert!((seen.area() - 50.25 * 49.5).abs() < 0.5, "{}", seen.area());
+}
+
+#[test]
+fn a_clip_with_round_corners_leaves_what_a_contour_with_them_covers() {
+    let rect = Rect { x0: 10.25, y0: 10.5, x1: 60.5, y1: 61.75 };
+    let mut group = Group::new("clipped");
+    let clip = *group.clip.insert(Clip::rounded(rect, 12.3));
+    group.items = filled(polygons(&[&[(0.0, 0.0), (90.0, 0.0), (90.0, 90.0), (0.0, 90.0)]]));
+    for scale in [1.0, 2.0] {
+        let cut = Seen::of(vec![Item::Group(group.clone())], (100.0, 100.0), scale);
+        let drawn = Seen::of(filled(clip.contour()), (100.0, 100.0), scale);
+        let off = cut.coverage.iter().zip(&drawn.coverage).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        // A contour is filled by a quarter of a row at a time, a clip by an eighth.
+        assert!(off < 0.13, "at {scale}: {off}");
+        assert!((cut.area() / drawn.area() - 1.0).abs() < 0.002, "{} {}", cut.area(), drawn.area());
+    }
 }
 
 /// Letters whose ink leaves the box of their line: `j` to the left, the hat upward and to the right.
@@ -350,7 +366,7 @@ fn no_ink_of_a_text_leaves_its_clip() {
         let Item::Text(label) = text(markup, (50.0, 60.0), None) else { continue };
         let clip = label.bounds();
         let mut group = Group::new("panel");
-        group.clip = Some(clip);
+        group.clip = Some(clip.into());
         group.items = vec![Item::Text(label)];
         let cut = Seen::of(vec![Item::Group(group)], (100.0, 100.0), 1.0);
         let mut outside = 0.0;

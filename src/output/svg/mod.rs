@@ -19,7 +19,7 @@ use std::collections::BTreeMap;
 
 use super::xml::Xml;
 use super::{Bracket, Depends, Format, InSteps, Options, OutputError, Reader, Writer, number};
-use crate::drawing::{Color, Contour, Drawing, Group, Item, Paint, Path, Pattern, Rect, Role, Shown, Stroke};
+use crate::drawing::{Clip, Color, Contour, Drawing, Group, Item, Paint, Path, Pattern, Role, Shown, Stroke};
 use style::Property;
 pub(crate) use words::found_words;
 
@@ -141,8 +141,8 @@ struct Document {
     prefix: String,
     /// What ids given so far are called behind the prefix, each with the last number that was given to it.
     ids: BTreeMap<String, usize>,
-    /// Clip rectangles that have an element; a rectangle's index is the number in its id.
-    clips: Vec<Rect>,
+    /// Clips that have an element; a clip's index is the number in its id.
+    clips: Vec<Clip>,
     /// Opacity of the fills of areas.
     fill_opacity: f64,
     /// The roles whose words have a colour of their own, with that colour.
@@ -238,7 +238,7 @@ impl Document {
         if group.items.is_empty() {
             return;
         }
-        let clip = group.clip.map(|rect| self.clip(rect));
+        let clip = group.clip.map(|clip| self.clip(clip));
         let id = self.new_id(&group.name);
         self.xml.start("g");
         self.xml.attribute("id", &id);
@@ -270,13 +270,14 @@ impl Document {
         self.xml.end();
     }
 
-    /// The id of the clip with that rectangle, written here where it is new.
-    fn clip(&mut self, rect: Rect) -> String {
-        let known = self.clips.iter().position(|&r| r == rect);
+    /// The id of a clip, written here where it is new.
+    fn clip(&mut self, clip: Clip) -> String {
+        let known = self.clips.iter().position(|&known| known == clip);
         let number = known.unwrap_or(self.clips.len());
         let id = format!("{}-clip.{number}", self.prefix);
         if known.is_none() {
-            self.clips.push(rect);
+            self.clips.push(clip);
+            let Clip { rect, radius } = clip;
             self.xml.start("clipPath");
             self.xml.attribute("id", &id);
             self.xml.start("rect");
@@ -284,6 +285,9 @@ impl Document {
             self.xml.number("y", rect.y0);
             self.xml.number("width", rect.width());
             self.xml.number("height", rect.height());
+            if radius > 0.0 {
+                self.xml.number("rx", radius);
+            }
             self.xml.end();
             self.xml.end();
         }

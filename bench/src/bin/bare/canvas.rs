@@ -55,7 +55,7 @@ impl Frame {
 
 /// A clip in force.
 struct Clip {
-    rect: Rect,
+    shape: tracefig::drawing::Clip,
     /// Made when the first item needs it.
     mask: Option<Mask>,
 }
@@ -79,10 +79,9 @@ impl Canvas {
     }
 
     fn group(&mut self, group: &Group) {
-        let outer = self.clip.as_ref().map(|clip| clip.rect);
-        let Some(rect) = group.clip else { return self.see_through(group) };
-        let Some(rect) = outer.map_or(Some(rect), |o| o.intersection(rect)) else { return };
-        let kept = self.clip.replace(Clip { rect, mask: None });
+        // No figure has a clip within a clip.
+        let Some(shape) = group.clip else { return self.see_through(group) };
+        let kept = self.clip.replace(Clip { shape, mask: None });
         self.see_through(group);
         self.clip = kept;
     }
@@ -96,7 +95,7 @@ impl Canvas {
         let Some((x, y, width, height)) = self.layer_place(extent) else { return };
         let Some(pixmap) = Pixmap::new(width, height) else { return };
         let frame = Frame { x: self.frame.x + f64::from(x), y: self.frame.y + f64::from(y), ..self.frame };
-        let clip = self.clip.as_ref().map(|clip| Clip { rect: clip.rect, mask: None });
+        let clip = self.clip.as_ref().map(|clip| Clip { shape: clip.shape, mask: None });
         let mut layer = Self { pixmap, frame, clip };
         layer.items(&group.items);
         #[expect(clippy::cast_possible_truncation, reason = "the rasterizer takes single precision")]
@@ -148,7 +147,7 @@ impl Canvas {
         let Some(mut mask) = Mask::new(self.pixmap.width(), self.pixmap.height()) else { return };
         mask.fill_path(shape, FillRule::Winding, true, Transform::identity());
         if let Some(clip) = &self.clip
-            && let Some(rect) = rectangle(clip.rect, self.frame)
+            && let Some(rect) = contour(&clip.shape.contour(), self.frame)
         {
             mask.intersect_path(&rect, FillRule::Winding, true, Transform::identity());
         }
@@ -180,13 +179,13 @@ impl Canvas {
     fn target(&mut self, extent: Rect) -> (&mut Pixmap, Option<&Mask>) {
         let (width, height, frame) = (self.pixmap.width(), self.pixmap.height(), self.frame);
         let mask = self.clip.as_mut().and_then(|clip| {
-            let r = clip.rect;
-            if r.x0 <= extent.x0 && r.y0 <= extent.y0 && extent.x1 <= r.x1 && extent.y1 <= r.y1 {
+            let r = clip.shape.rect;
+            if clip.shape.radius <= 0.0 && r.x0 <= extent.x0 && r.y0 <= extent.y0 && extent.x1 <= r.x1 && extent.y1 <= r.y1 {
                 return None;
             }
             if clip.mask.is_none() {
                 let mut mask = Mask::new(width, height)?;
-                mask.fill_path(&rectangle(r, frame)?, FillRule::Winding, true, Transform::identity());
+                mask.fill_path(&contour(&clip.shape.contour(), frame)?, FillRule::Winding, true, Transform::identity());
                 clip.mask = Some(mask);
             }
             clip.mask.as_ref()

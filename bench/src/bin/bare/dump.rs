@@ -32,7 +32,7 @@ fn list(all: impl Iterator<Item = String>) -> String {
 fn items(all: &[Item]) -> String {
     list(all.iter().flat_map(|item| match item {
         Item::Group(group) => {
-            let clip = group.clip.map_or("null".into(), |rect| format!("[{}]", rectangle(rect)));
+            let clip = group.clip.map_or("null".into(), |clip| format!("[{}]", rectangle(clip.rect)));
             let inner = items(&group.items);
             vec![format!(r#"{{"clip": {clip}, "opacity": {}, "items": [{inner}]}}"#, group.opacity)]
         }
@@ -90,7 +90,7 @@ fn lettering(text: &Text) -> Vec<String> {
         pieces.push(rectangle(Rect { x0, y0, x1: x0 + rule.width, y1: y0 + rule.height }));
     }
     let pieces = pieces.join(",");
-    let halo = text.halo.map(|halo| entry(&pieces, None, Some(&Stroke::solid(halo.paint, 2.0 * halo.width))));
+    let halo = text.halo.as_ref().map(|halo| entry(&pieces, None, Some(&Stroke::solid(halo.paint, 2.0 * halo.width))));
     halo.into_iter().chain([entry(&pieces, Some(&text.paint), None)]).collect()
 }
 

@@ -63,7 +63,7 @@ fn a_detail_is_drawn_again_and_larger_by_the_factor_that_is_written() {
     assert_eq!(edges.len(), 2);
     assert!((edges[0].x1 - panel.page(DVec2::X * 2.0).x).abs() < 1e-9);
     assert!((edges[1].x1 - inset.page(DVec2::X * 2.0).x).abs() < 1e-9);
-    assert_eq!(group(&own.items, "layers").unwrap().clip, Some(rect));
+    assert_eq!(group(&own.items, "layers").unwrap().clip, Some(rect.into()));
 }
 
 #[test]

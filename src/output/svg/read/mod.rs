@@ -19,8 +19,8 @@ use svgtypes::FuncIRI;
 use super::super::Stamped;
 use super::super::picture::{Picture, TooMuch, Unread};
 use crate::drawing::{
-    Color, Contour, Drawing, Group, Item, Paint, Path, Pattern, PatternKind, Point, Rect, Segment, Shown,
-    Stroke,
+    Clip, Color, Contour, Drawing, Group, Item, Paint, Path, Pattern, PatternKind, Point, Rect, Segment,
+    Shown, Stroke,
 };
 use effort::{Effort, MOST_LENGTH, MOST_PIECES};
 use path_data::{Map, contour};
@@ -234,7 +234,9 @@ impl<'d> Reader<'d> {
             let rect = self.referred(url)?.first_element_child().filter(|n| n.has_tag_name("rect"))?;
             let side = |name| number(rect, name);
             let (x0, y0) = (side("x")?, side("y")?);
-            group.clip = Some(Rect { x0, y0, x1: x0 + side("width")?, y1: y0 + side("height")? });
+            let all = Rect { x0, y0, x1: x0 + side("width")?, y1: y0 + side("height")? };
+            let radius = if rect.has_attribute("rx") { side("rx")? } else { 0.0 };
+            group.clip = Some(Clip::rounded(all, radius));
         }
         self.children(node, style, map, &mut group.items)?;
         items.push(Item::Group(group));
