@@ -12,6 +12,7 @@
 //! answer/      what comes back, and the names of its parts
 //! expected.rs  what someone else answered, and how far off that is
 //! naive/       what looks right and is wrong: one such method a file, the table METHODS; answers nothing
+//! rounding.rs  what the rounding of a scene's numbers may make of a distance
 //! size.rs      what the rounding of a pair is measured by
 //! certified/   distance/  how far apart a pair is at one moment
 //!              sweep/     when two bodies meet that do not turn: where a ray enters B ⊖ A
@@ -43,6 +44,7 @@ mod expected;
 mod feature;
 pub mod naive;
 mod query;
+mod rounding;
 mod size;
 #[cfg(test)]
 mod tests;

@@ -20,7 +20,7 @@ const STAR: char = '*';
 
 /// Rows that are said of a body at another place: alone in labels that have a name too, which may be any
 /// word.
-const OF_GHOSTS: usize = 9;
+const OF_GHOSTS: usize = 10;
 
 /// Labels that are a name and nothing else.
 const NAMES: [&str; 4] = ["A", "B", "a", "context"];
@@ -60,15 +60,17 @@ pub(crate) static WORDS: &[Row] = &rows([
     ["origin of *", "*", "Ursprung von *", "origine de *", "origen de *"],
     ["* pushed out", "*", "* hinausgeschoben", "* repoussé", "* apartado"],
     ["* pushed farther", "*", "* weiter geschoben", "* repoussé plus loin", "* apartado más lejos"],
+    ["looks the same", "", "sieht gleich aus", "paraît inchangé", "se ve igual"],
     ["turned $*$", "$*$", "um $*$ gedreht", "tourné de $*$", "girado $*$"],
     ["depth $d*", "$d*", "Tiefe $d*", "profondeur $d*", "profundidad $d*"],
     ["depth $=*", "$d =*", "Tiefe $=*", "profondeur $=*", "profundidad $=*"],
-    ["distance $=*", "$d =*", "Abstand $=*", "distance $=*", "distancia $=*"],
+    ["distance $*", "$d *", "Abstand $*", "distance $*", "distancia $*"],
     ["gap $=*", "$*", "Lücke $=*", "écart $=*", "hueco $=*"],
     ["overlap $=*", "$*", "Überlappung $=*", "recouvrement $=*", "solapamiento $=*"],
     ["at least $*", "$\\ge *", "mindestens $*", "au moins $*", "al menos $*"],
     ["centres $*$ apart", "$*$", "Mitten $*$ entfernt", "centres distants de $*$", "centros a $*$"],
     ["$*$, longer", "$*$", "$*$, länger", "$*$, plus long", "$*$, más largo"],
+    ["one of several", "", "eine von mehreren", "parmi plusieurs", "entre varias"],
     ["clamped $*$", r"$\mathrm{clamp}(*)$", "begrenzt $*$", "$*$ borné", "$*$ limitado"],
     ["largest gap:", "", "größte Lücke:", "plus grand écart :", "hueco mayor:"],
     ["centres:", "", "Mitten:", "centres :", "centros:"],

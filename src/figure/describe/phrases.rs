@@ -49,6 +49,21 @@ phrases! {
         "* y * se solapan; *.";
     /// Bodies that touch.
     TOUCH: "* and * touch.", "* und * berühren sich.", "* et * se touchent.", "* y * se tocan.";
+    /// Bodies that touch at vertices, where the normal is one of several: it.
+    TOUCH_OF_MANY: "* and * touch; * is one of several normals.",
+        "* und * berühren sich; * ist eine von mehreren Normalen.",
+        "* et * se touchent ; * est l’une de plusieurs normales.",
+        "* y * se tocan; * es una de varias normales.";
+    /// Bodies that may well touch: the gap is no more than rounding took.
+    APART_BY_ROUNDING: "* and * are * apart, no more than the rounding of their numbers.",
+        "* und * sind * voneinander entfernt, nicht mehr als die Rundung ihrer Zahlen.",
+        "* et * sont à une distance de *, pas plus que l’arrondi de leurs nombres.",
+        "* y * están a una distancia de *, no más que el redondeo de sus números.";
+    /// The depth is.
+    DEEP_BY_ROUNDING: "* and * overlap by *, no more than the rounding of their numbers.",
+        "* und * überlappen sich um *, nicht mehr als die Rundung ihrer Zahlen.",
+        "* et * se recouvrent de *, pas plus que l’arrondi de leurs nombres.",
+        "* y * se solapan en *, no más que el redondeo de sus números.";
     /// The shortest push: body, depth, direction.
     PUSH: "the shortest push that parts them moves * by * along *",
         "der kürzeste Schub, der sie trennt, bewegt * um * entlang *",

@@ -14,10 +14,11 @@ use crate::trace::Event;
 use super::body_phrases::AND;
 use super::number::Speech;
 use super::phrases::{
-    APART, AT_MOMENT, BOX, CLOSEST, CLOSEST_FIRST, CLOSEST_WHILE, CONTACTS_0, CONTACTS_1, CONTACTS_2, DEEP,
-    ENDS_EARLY, HIT, HIT_ALONG, HIT_SOMEWHERE, MISS, NO_FARTHER, NO_NEARER, NO_OVERLAP, NO_OVERLAP_BY,
-    OVERLAP, OVERLAP_AND, OVERLAP_FIRST, PUSH, PUSH_ANY, PUSH_OF_MANY, ROUNDING, STALLED, STAY, STEP_CAP,
-    TOLERANCE, TOUCH, TOUCH_FIRST, UNDECIDED, UNRESOLVED, UNRESOLVED_DEEP, UNSAID,
+    APART, APART_BY_ROUNDING, AT_MOMENT, BOX, CLOSEST, CLOSEST_FIRST, CLOSEST_WHILE, CONTACTS_0, CONTACTS_1,
+    CONTACTS_2, DEEP, DEEP_BY_ROUNDING, ENDS_EARLY, HIT, HIT_ALONG, HIT_SOMEWHERE, MISS, NO_FARTHER,
+    NO_NEARER, NO_OVERLAP, NO_OVERLAP_BY, OVERLAP, OVERLAP_AND, OVERLAP_FIRST, PUSH, PUSH_ANY, PUSH_OF_MANY,
+    ROUNDING, STALLED, STAY, STEP_CAP, TOLERANCE, TOUCH, TOUCH_FIRST, TOUCH_OF_MANY, UNDECIDED, UNRESOLVED,
+    UNRESOLVED_DEEP, UNSAID,
 };
 
 /// How fast bodies must come nearer to be said to, in parts of how fast they pass each other: far above what
@@ -110,7 +111,7 @@ fn result_of([a, b]: [&str; 2], told: &Account) -> String {
             speech.say(&BOX, &[&whose, &speech.point(bounds.min), &speech.point(bounds.max)])
         }
         Answer::Overlap(overlap) => verdict_in_words([a, b], overlap, told),
-        Answer::Separation(s) => separation_in_words([a, b], s, (Side::B, told.ways), speech),
+        Answer::Separation(s) => separation_in_words([a, b], s, (Side::B, told.ways), told),
         Answer::Contact(contact) => contact_in_words([a, b], contact, told),
         Answer::Impact(impact) => impact_in_words([a, b], impact, told),
         Answer::MotionBound(MotionBound { bound }) if b.is_empty() => {
@@ -127,7 +128,7 @@ fn verdict_in_words([a, b]: [&str; 2], overlap: &Overlap, told: &Account) -> Str
     let speech = told.speech;
     match (overlap.overlap, told.near.as_ref()) {
         (None, _) => speech.say(&UNSAID, &[a, b]),
-        (Some(true), Some(s)) => separation_in_words([a, b], s, (Side::B, told.ways), speech),
+        (Some(true), Some(s)) => separation_in_words([a, b], s, (Side::B, told.ways), told),
         (Some(true), None) => speech.say(&OVERLAP, &[a, b]),
         (Some(false), Some(s)) if s.bounds.lo > 0.0 => {
             speech.say(&NO_OVERLAP_BY, &[a, b, &speech.number(s.bounds.lo, s.bounds.hi)])
@@ -138,12 +139,19 @@ fn verdict_in_words([a, b]: [&str; 2], overlap: &Overlap, told: &Account) -> Str
 
 /// How the bodies named `a` and `b` stand; the push that parts them is that of the body `pushed`, one of
 /// so many.
-fn separation_in_words([a, b]: [&str; 2], s: &Separation, pushed: (Side, usize), speech: Speech) -> String {
-    let (lo, hi) = (s.bounds.lo, s.bounds.hi);
-    if lo > 0.0 {
+fn separation_in_words([a, b]: [&str; 2], s: &Separation, pushed: (Side, usize), told: &Account) -> String {
+    let (lo, hi, speech) = (s.bounds.lo, s.bounds.hi, told.speech);
+    let rounding = told.scene.query_at(told.run.time).rounding();
+    if lo > 0.0 && hi <= rounding {
+        speech.say(&APART_BY_ROUNDING, &[a, b, &speech.number(lo, hi)])
+    } else if hi < 0.0 && -lo <= rounding {
+        speech.say(&DEEP_BY_ROUNDING, &[a, b, &speech.number(-hi, -lo)])
+    } else if lo > 0.0 {
         speech.say(&APART, &[a, b, &speech.number(lo, hi), &speech.vector(*s.normal)])
     } else if hi < 0.0 {
         speech.say(&OVERLAP_AND, &[a, b, &push([a, b], s, pushed, speech)])
+    } else if s.ties > 1 {
+        speech.say(&TOUCH_OF_MANY, &[a, b, &speech.vector(*s.normal)])
     } else {
         speech.say(&TOUCH, &[a, b])
     }
@@ -173,7 +181,7 @@ fn contact_in_words(names: [&str; 2], contact: &Contact, told: &Account) -> Stri
         _ => None,
     });
     let pushed = reference.map_or(Side::B, Side::other);
-    let apart = separation_in_words(names, &contact.separation, (pushed, told.ways), told.speech);
+    let apart = separation_in_words(names, &contact.separation, (pushed, told.ways), told);
     let phrase = match contact.found().count() {
         0 => &CONTACTS_0,
         1 => &CONTACTS_1,

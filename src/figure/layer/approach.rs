@@ -10,8 +10,7 @@ use crate::figure::text::number;
 use crate::geometry::Side;
 use crate::scene::{Space, When};
 
-use super::ghosts::{at_moment, ghost};
-use super::{Fed, LabelKey, Layer, Options, Shows, Tells};
+use super::{Fed, LabelKey, Layer, Options, Shows, Tells, ghosts};
 
 /// Why a panel of configuration space has no closest approach, where a body turns.
 const ANOTHER_DIFFERENCE: &str = "the bodies turn, and B ⊖ A is another one at their closest";
@@ -55,8 +54,8 @@ fn in_the_world(sketch: &mut Sketch, context: &Context, options: &Options, close
     for side in context.sides() {
         let elsewhere = context.pose(side, closest.time) != context.pose(side, context.time);
         if let Some(outline) = context.outline(side, closest.time).filter(|_| elsewhere) {
-            let text = at_moment(context, side, &number(closest.time));
-            ghost(sketch, options, side, &outline, text);
+            let then = number(closest.time);
+            ghosts::elsewhere(sketch, context, options, (side, closest.time, &then), &outline);
         }
     }
     let [p, q] = closest.points;

@@ -77,7 +77,8 @@ pub(super) fn nearest(context: &Context) -> Option<Nearest> {
         Some(Event::CandidateImproved { foot, distance, .. }) if *distance == answer.separation => *foot,
         _ => answer.normal * answer.separation,
     };
-    let text = asked_distance(context, &answer).unwrap_or_else(|| distance_or_depth(&answer));
+    let text = asked_distance(context, &answer)
+        .unwrap_or_else(|| distance_or_depth(&answer, context.scene.query_at(context.time).rounding()));
     Some(Nearest { foot, text, overlap: answer.bounds.hi < 0.0 })
 }
 

@@ -12,6 +12,7 @@ use crate::scene::Space;
 
 use super::difference::{difference, origins};
 use super::half_extents::ON_LINE;
+use super::normal::ONE_OF_SEVERAL;
 use super::vertices::mean;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
 
@@ -219,6 +220,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let mut labelled = Vec::new();
     let asked = options.counts("edge").is_some() || options.counts("vertex").is_some();
     let run = context.separation_at(context.time).filter(|_| !asked);
+    let ties = run.as_ref().and_then(|run| run.separation()).is_some_and(|found| found.ties > 1);
     sketch.since(run.map(|run| run.nearest()));
     for Mark { side, feature, form, text } in marks(context, options) {
         sketch.part(part("feature", side));
@@ -253,7 +255,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         }
         labelled.push((side, feature, text.clone()));
         let key = if side == Side::A { "feature.A" } else { "feature.B" };
-        let label = Label::new(key, text, anchor, role);
+        let mut lines = vec![text];
+        lines.extend(ties.then(|| ONE_OF_SEVERAL.to_owned()));
+        let label = Label { lines, ..Label::new(key, "", anchor, role) };
         let label = label.rank(Rank::Word).size(Size::Note);
         sketch.label(if let Some(text) = options.words("text") { label.given(text) } else { label });
     }

@@ -11,6 +11,7 @@ use crate::scene::When;
 
 use super::closest::longer_way;
 use super::difference::difference;
+use super::look_alike::look_alike;
 use super::spin::seen;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, STEPS, Shows, Takes, Tells, fade, part};
 
@@ -30,6 +31,8 @@ const UNSEEN: f64 = 2.25;
 /// How many degrees a body turns before it stands as it stood: from there on the picture of both says too
 /// little.
 const WHOLE_TURN: f64 = 360.0;
+/// The least turn that is written of a body that looks the same after it, degrees: less is 0.0 in [`TENTHS`].
+const SEEN_TURN: f64 = 0.05;
 /// Digits of how far a body turned that is seen in another pose.
 const TENTHS: Digits = Digits::Decimals(1);
 
@@ -184,28 +187,47 @@ fn moment(sketch: &mut Sketch, context: &Context, options: &Options, side: Side)
         }
         let hit = context.hit_time().filter(|hit| hit.lo == time);
         let then = hit.map_or_else(|| number(time), |hit| Quantity::within(hit).latex());
-        let mut lines = at_moment(context, side, &then);
-        lines.extend(turned(context, side, time));
-        ghost(sketch, options, side, &outline, lines);
+        elsewhere(sketch, context, options, (side, time, &then), &outline);
     }
+}
+
+/// Draws a body at a moment in which it has another pose; where its outline is one with that of now, it is
+/// only said, as two names would stand on one body.
+pub(super) fn elsewhere(
+    sketch: &mut Sketch,
+    context: &Context,
+    options: &Options,
+    (side, time, written): (Side, f64, &str),
+    outline: &Outline,
+) {
+    let now = context.outline(side, context.time);
+    let is_wanted = options.words("text").is_some() || options.flag("solid", false);
+    if is_wanted || !now.is_some_and(|now| look_alike(&now, outline, sketch.px(UNSEEN))) {
+        let mut lines = at_moment(context, side, written);
+        lines.extend(turned(context, side, time, WHOLE_TURN));
+        return ghost(sketch, options, side, outline, lines);
+    }
+    let mut lines = vec!["looks the same".to_owned(), format!("at $t = {written}$")];
+    lines.extend(turned(context, side, time, SEEN_TURN));
+    sketch.label(label(options, side, outline, lines));
 }
 
 /// The label of a body at a moment: "A at t = 0.5"; below each other where the name is a word, as a long line
 /// reaches from the body now to the body then.
-pub(super) fn at_moment(context: &Context, side: Side, time: &str) -> Vec<String> {
+fn at_moment(context: &Context, side: Side, time: &str) -> Vec<String> {
     let (name, then) = (context.named(side), format!("at $t = {time}$"));
     if name.is_symbol() { vec![format!("{} {then}", name.primed(0))] } else { vec![name.primed(0), then] }
 }
 
-/// How far a body turns from the panel's moment to another, clockwise with a minus, where that is a whole
-/// turn or more: five of them look like none. To a tenth of a degree, which is about what is seen: −360.4° in
-/// three digits would be none.
-fn turned(context: &Context, side: Side, time: f64) -> Option<String> {
+/// How far a body turns from the panel's moment to another, clockwise with a minus, where that is so many
+/// degrees or more: five whole turns look like none. To a tenth of a degree, which is about what is seen:
+/// −360.4° in three digits would be none.
+fn turned(context: &Context, side: Side, time: f64, least: f64) -> Option<String> {
     let (_, spin) = seen(context, side)?;
     let degrees = spin * (time - context.time);
     let tenths = TENTHS.of(degrees, degrees);
     let written = tenths.strip_suffix(".0").unwrap_or(&tenths);
-    (degrees.abs() >= WHOLE_TURN).then(|| format!("turned ${}°$", in_math(written)))
+    (degrees.abs() >= least).then(|| format!("turned ${}°$", in_math(written)))
 }
 
 /// Fill and line of a ghost.
@@ -230,10 +252,16 @@ pub(super) fn ghost(
     let role = options.role(side.into());
     let (wash, pen) = look(options, role);
     sketch.part(part("ghost", side)).weight(Weight::Light).area(outline, wash, Some(pen));
+    sketch.label(label(options, side, outline, lines));
+}
+
+/// The label of a body at another moment, or in the words that the scene has for it.
+fn label(options: &Options, side: Side, outline: &Outline, lines: Vec<String>) -> Label {
     let key = if side == Side::A { "A'" } else { "B'" };
-    let label = Label { lines, ..Label::new(key, "", Anchor::inside(outline), role) };
+    let anchor = Anchor::inside(outline);
+    let label = Label { lines, ..Label::new(key, "", anchor, options.role(side.into())) };
     let label = label.rank(Rank::Name).size(Size::Note);
-    sketch.label(if let Some(text) = options.words("text") { label.given(text) } else { label });
+    if let Some(text) = options.words("text") { label.given(text) } else { label }
 }
 
 /// Draws the body at each step after the first, each with its time or number; of more than [`MOST`] the first

@@ -38,6 +38,7 @@ mod grown;
 mod half_extents;
 mod held;
 mod kinks;
+mod look_alike;
 mod merging;
 mod naive;
 mod normal;

@@ -20,6 +20,9 @@ const FITTED: f64 = 40.0;
 /// roundings, and far below what is seen.
 const ON_EDGE: f64 = 1e-9;
 
+/// What is said of an answer that ties with others.
+pub(super) const ONE_OF_SEVERAL: &str = "one of several";
+
 pub(super) const LAYER: Layer = Layer {
     name: "normal",
     about: "the unit normal from A to B",
@@ -84,13 +87,20 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let flip = options.flag("flip", false);
     let n = if flip { -answer.normal } else { answer.normal };
     let role = options.role(Role::Ink);
-    let (key, letter) = if flip { ("N", "$N$") } else { ("n", "$n$") };
+    let (key, letter) = if flip { ("N", "N") } else { ("n", "n") };
+    let mut lines = vec![format!("${letter}$")];
+    lines.extend((answer.ties != 1).then(|| ONE_OF_SEVERAL.to_owned()));
     let length = options.number("length");
     let leg = edge(context, options, time, &answer).or_else(|| touched(context, time, &answer, from));
     if let Some((on, leg)) = leg {
         sketch.part("right-angle").right_angle(on, leg, *n);
     }
-    unit_vector(sketch, (from, *n), length, Label::new(key, letter, Anchor::point(from), role));
+    unit_vector(
+        sketch,
+        (from, *n),
+        length,
+        Label { lines, ..Label::new(key, "", Anchor::point(from), role) },
+    );
 }
 
 /// How long a unit vector is drawn where the scene does not say, world units.
@@ -110,8 +120,11 @@ pub(super) fn unit_vector(
     let tip = from + n * given.unwrap_or_else(|| unit_length(sketch));
     sketch.part("normal").arrow(from, tip, Pen::vector(role));
     let factor = given.unwrap_or(LENGTH);
-    let say = |text: &String| if to_scale { scaled(factor, text) } else { format!("{text} (not to scale)") };
-    let lines = lines.iter().map(say).collect();
+    let say = |text: &str| if to_scale { scaled(factor, text) } else { format!("{text} (not to scale)") };
+    let mut lines = lines;
+    if let Some(letter) = lines.first_mut() {
+        *letter = say(letter);
+    }
     sketch.label(Label { lines, ..Label::new(key, "", Anchor::tip(from, tip), role) });
     tip
 }
@@ -162,7 +175,7 @@ fn edge(context: &Context, options: &Options, time: f64, answer: &Separation) ->
 
 #[cfg(test)]
 mod tests {
-    use crate::figure::layer::tests::paths;
+    use crate::figure::layer::tests::{labels, paths};
     use crate::figure::{draw, plan};
     use crate::scene::open_text;
 
@@ -180,6 +193,26 @@ mod tests {
             let plan = plan(&scene).unwrap();
             let figure = draw(&plan, plan.theme, "normal");
             assert_eq!(!paths(&figure.drawing.items, "right-angle").is_empty(), square, "{x}");
+        }
+    }
+
+    #[test]
+    fn a_normal_that_ties_with_others_is_called_one_of_several() {
+        // Vertex on vertex, edge on edge, a box in the middle of one that is as wide as high, and nearly so.
+        for (position, alone) in
+            [("[2, 2]", false), ("[2, 0.5]", true), ("[0, 0]", false), ("[0.5, 0]", true)]
+        {
+            let text = format!(
+                "shapes.a = {{ kind = 'box', half_extents = [1, 1] }}
+                shapes.b = {{ kind = 'box', half_extents = [1, 1], position = {position} }}
+                query = {{ kind = 'separation', of = ['a', 'b'] }}
+                panels = [{{ layers = ['normal', 'feature'] }}]"
+            );
+            let scene = open_text("normal", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let labels = labels(&draw(&plan, plan.theme, "normal"));
+            let said = |key: &str| !labels[key].0.ends_with(" one of several");
+            assert_eq!((said("n"), said("feature.A")), (alone, alone), "{position}: {labels:?}");
         }
     }
 }

@@ -17,6 +17,9 @@ use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, numb
 /// Opacity of what both radii have of the line of centres.
 const SHARED: f64 = 0.16;
 
+/// The least depth that both radii are seen to share, page pixels: their bars end in ticks as wide.
+const UNSEEN: f64 = 2.25;
+
 /// Distance of the lengths from each other, page pixels: a label of 16 fits between.
 const TRACK: f64 = 32.0;
 
@@ -226,7 +229,7 @@ fn lengths(sketch: &mut Sketch, context: &Context) {
     let run = context.separation_at(context.time);
     sketch.since(run.and_then(|run| run.last_cue(|e| matches!(e, Event::CirclesCompared { .. }))));
     let tracks = tracks(context, &compared);
-    if answer.bounds.hi < 0.0 {
+    if answer.separation < -sketch.px(UNSEEN) {
         let track = |i: f64| down * (radii[0].max(radii[1]) + sketch.px(TRACK * (i + FIRST)));
         let [p, q] = answer.points;
         let strip = Outline::polygon(&[p + track(1.0), q + track(1.0), q + track(2.0), p + track(2.0)]);

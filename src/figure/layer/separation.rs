@@ -203,7 +203,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         rival(sketch.since(run.end()), context, &run, &answer);
     }
     points(sketch.since(run.nearest()), options, &answer);
-    let (key, text) = words(&run, &answer);
+    let (key, text) = words(context, &run, &answer);
     let text = asked_distance(context, &answer).unwrap_or(text);
     // On the outer side of a line that is moved aside; a long text on a short arrow beyond one of its ends.
     let anchor = Anchor::Beside { from: q, to: p, offset };
@@ -298,15 +298,19 @@ fn rival(sketch: &mut Sketch, context: &Context, run: &Run, answer: &Separation)
 
 /// Key and text of the label in the algorithm's own words: the article calls the signed penetration of
 /// circles p, the distance of a circle from a box distance, and the depth of polygons d, which has no sign.
-fn words(run: &Run, answer: &Separation) -> (&'static str, String) {
-    let signed = Quantity::separation(answer).latex();
+fn words(context: &Context, run: &Run, answer: &Separation) -> (&'static str, String) {
+    let rounding = context.scene.query_at(run.time).rounding();
+    let signed = Quantity::separation(answer).equals(rounding);
     if run.tells(|e| matches!(e, Event::PenetrationMeasured { .. })) {
-        ("p", format!("$p = {signed}$"))
+        ("p", format!("$p {signed}$"))
     } else if run.tells(|e| matches!(e, Event::Clamped { .. })) {
         let is_inside = answer.bounds.hi < 0.0;
-        ("distance", if is_inside { distance_or_depth(answer) } else { format!("distance $= {signed}$") })
+        (
+            "distance",
+            if is_inside { distance_or_depth(answer, rounding) } else { format!("distance ${signed}$") },
+        )
     } else {
-        ("d", distance_or_depth(answer))
+        ("d", distance_or_depth(answer, rounding))
     }
 }
 

@@ -74,6 +74,19 @@ impl Quantity {
         }
     }
 
+    /// Whether it may be rounding of numbers, which takes so much from 0, and is not 0.
+    fn is_within(self, rounding: f64) -> bool {
+        let most = self.lo.abs().max(self.hi.abs());
+        most > 0.0 && most <= rounding
+    }
+
+    /// What stands after its letter as LaTeX: `= 0.5`; about 0 where it may be `rounding` of the numbers
+    /// written, which a reader of those computes as 0.
+    #[must_use]
+    pub(crate) fn equals(self, rounding: f64) -> String {
+        if self.is_within(rounding) { r"\approx 0".to_owned() } else { format!("= {}", self.latex()) }
+    }
+
     /// The number as LaTeX, to three digits, or all it has where they are few.
     #[must_use]
     pub(crate) fn latex(self) -> String {
@@ -82,11 +95,12 @@ impl Quantity {
 }
 
 /// The label of a distance or depth, as markup: it says which where the sign of the separation is negative,
-/// as d has none.
+/// as d has none. What may be `rounding` of the numbers written, world units, is about 0.
 #[must_use]
-pub(crate) fn distance_or_depth(found: &Separation) -> String {
-    let word = if found.bounds.hi < 0.0 { "depth " } else { "" };
-    format!("{word}$d = {}$", Quantity::distance_or_depth(found).latex())
+pub(crate) fn distance_or_depth(found: &Separation, rounding: f64) -> String {
+    let d = Quantity::distance_or_depth(found);
+    let word = if found.bounds.hi < 0.0 && !d.is_within(rounding) { "depth " } else { "" };
+    format!("{word}$d {}$", d.equals(rounding))
 }
 
 /// Whether a figure is the key of an exercise that asks for one of these values.
@@ -105,7 +119,7 @@ pub(crate) fn asked_distance(context: &Context, found: &Separation) -> Option<St
         return None;
     }
     let signed = || format!("$s = {}$", Quantity::separation(found).latex());
-    Some(if asked(&["separation"]) { signed() } else { distance_or_depth(found) })
+    Some(if asked(&["separation"]) { signed() } else { distance_or_depth(found, 0.0) })
 }
 
 #[cfg(test)]
@@ -124,7 +138,7 @@ mod tests {
         };
         for (x, expected) in [(1.5, "depth $d = 0.5$"), (2.5, "$d = 0.5$"), (2.0, "$d = 0$")] {
             let Answer::Separation(found) = crate::scene::solve(&scene(x)) else { panic!("a separation") };
-            assert_eq!(distance_or_depth(&found), expected);
+            assert_eq!(distance_or_depth(&found, 0.0), expected);
         }
     }
 
@@ -143,7 +157,7 @@ mod tests {
             let run = plan.runs.separation(&scene, hit).unwrap();
             let found = run.separation().unwrap();
             assert_eq!(
-                (found.separation, distance_or_depth(found).as_str()),
+                (found.separation, distance_or_depth(found, 0.0).as_str()),
                 (0.0, "$d = 0$"),
                 "{algorithm}"
             );

@@ -32,6 +32,37 @@ fn said(scene: &str) -> String {
     Account::of(&scene, &runs, &run).sentence()
 }
 
+#[test]
+fn bodies_as_near_to_touching_as_their_numbers_are_rounded_are_said_to_be() {
+    let circles = |x: &str| {
+        said(&format!(
+            "shapes.bolt = {{ kind = 'circle', radius = 1 }}
+            shapes.nut = {{ kind = 'circle', radius = 0.5, position = [{x}, 0.9] }}
+            query = {{ kind = 'separation', of = ['bolt', 'nut'] }}"
+        ))
+    };
+    let by = "no more than the rounding of their numbers.";
+    assert_eq!(circles("1.2"), format!("bolt and nut overlap by 2.22 × 10^−17, {by}"));
+    assert!(
+        circles("1.2000000000000002").starts_with("bolt and nut are ")
+            && circles("1.2000000000000002").ends_with(by)
+    );
+    assert!(circles("1.20000000000001").contains(" along the normal "));
+}
+
+#[test]
+fn a_touch_of_vertices_has_several_normals() {
+    let boxes = |y: &str| {
+        said(&format!(
+            "shapes.a = {{ kind = 'box', half_extents = [1, 1] }}
+            shapes.b = {{ kind = 'box', half_extents = [1, 1], position = [2, {y}] }}
+            query = {{ kind = 'separation', of = ['a', 'b'] }}"
+        ))
+    };
+    assert_eq!(boxes("2"), "a and b touch; (1, 0) is one of several normals.");
+    assert_eq!(boxes("0.5"), "a and b touch.");
+}
+
 /// A box on the floor, 0.5 deep in it, in a question about both.
 fn on_the_floor(query: &str) -> String {
     format!(
