@@ -10,6 +10,7 @@ use super::checked::{Checked, as_list, as_text, check};
 use super::fields::{BODY, shape_rows};
 use super::node::{Node, number};
 use super::problem::{Fault, Problems};
+use super::suggest::is_meant;
 
 /// A shape as read: its name is known to the query even where the rest of it is wrong.
 pub(super) struct Read {
@@ -57,7 +58,12 @@ fn body(name: &Spanned<String>, node: &Node, p: &mut Problems) -> Option<Body> {
         without_kind(name, node, p);
         return None;
     };
-    let table = check(node, &name.value, &with_article(kind.name), &shape_rows(kind), p)?;
+    let place = with_article(kind.name);
+    #[cfg(not(tracefig_page))]
+    let ours = super::foreign::translated(kind, &place, node, p);
+    #[cfg(tracefig_page)]
+    let ours: Option<Node> = None;
+    let table = check(ours.as_ref().unwrap_or(node), &name.value, &place, &shape_rows(kind), p)?;
     if !kind.turns {
         unturned(kind, &table, p);
     }
@@ -128,6 +134,11 @@ fn without_kind(name: &Spanned<String>, node: &Node, p: &mut Problems) {
             check(&kind_only, &name.value, BODY.place, kind_row, p);
         }
         Some(None) => {
+            if let Some(key) = otherwise_named(node) {
+                let (place, known) = (BODY.place.to_owned(), vec!["kind".to_owned()]);
+                p.add(Fault::UnknownKey { key: key.value.clone(), place, known }, &key.span);
+                return;
+            }
             let place = format!("the shape `{}`", name.value);
             let fault =
                 Fault::MissingKey { key: "kind".to_owned(), place, expected: kind_row[0].holds.expected() };
@@ -137,6 +148,13 @@ fn without_kind(name: &Spanned<String>, node: &Node, p: &mut Problems) {
             check(node, &name.value, BODY.place, kind_row, p);
         }
     }
+}
+
+/// The key by which a shape without a kind says it, in the words of other tools.
+fn otherwise_named(node: &Node) -> Option<&Spanned<String>> {
+    let known = ["kind".to_owned()];
+    let (key, _) = node.entries()?.iter().find(|(key, _)| is_meant(&key.value, &known))?;
+    Some(key)
 }
 
 /// A kind as messages call it: "a circle", "an aabb".

@@ -161,7 +161,7 @@ fn texts(node: &Node) -> Option<Vec<Spanned<String>>> {
 }
 
 /// The point that a list of two numbers is.
-fn as_pair(node: &Node) -> Option<DVec2> {
+pub(super) fn as_pair(node: &Node) -> Option<DVec2> {
     match as_list(node)? {
         [x, y] => Some(DVec2::new(as_number(x)?, as_number(y)?)),
         _ => None,
@@ -333,6 +333,12 @@ fn points(node: &Node, row: &Field, p: &mut Problems) -> bool {
     let Some(items) = as_list(node) else { return wrong(node, row, p) };
     if items.len() > MAX_VERTICES {
         too_many(&format!("`{}`", row.name), MAX_VERTICES, "points", items.len(), &node.span, p);
+        return false;
+    }
+    if items.len() > 1 && items.iter().all(|item| as_number(item).is_some()) {
+        let got = format!("{} numbers in one row", items.len());
+        let expected = row.holds.expected();
+        p.add(Fault::WrongType { key: row.name.to_owned(), expected, got }, &node.span);
         return false;
     }
     let row = Field { holds: Holds::Pair, ..*row };

@@ -13,6 +13,8 @@ mod exercise;
 mod expected;
 mod explain;
 mod fields;
+#[cfg(not(tracefig_page))]
+mod foreign;
 mod holds;
 mod house_panels;
 mod json;

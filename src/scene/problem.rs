@@ -63,6 +63,15 @@ pub enum Fault {
         /// The keys of that table.
         known: Vec<String>,
     },
+    /// Keys by which other tools say what others say here.
+    ForeignKeys {
+        /// The keys, one or two.
+        keys: Vec<String>,
+        /// The table they stand in, as "an aabb".
+        place: String,
+        /// The keys that say it here, each with the value that it has then.
+        instead: Vec<(String, String)>,
+    },
     /// A word that is none of those known.
     UnknownWord {
         /// What it should be, as "algorithm".
@@ -208,7 +217,7 @@ impl Fault {
             Self::Syntax { .. } => codes::SYNTAX.code,
             Self::DuplicateKey { .. } => codes::DUPLICATE_KEY.code,
             Self::OverLimit { .. } | Self::Endless { .. } => codes::OVER_LIMIT.code,
-            Self::UnknownKey { .. } => codes::UNKNOWN_KEY.code,
+            Self::UnknownKey { .. } | Self::ForeignKeys { .. } => codes::UNKNOWN_KEY.code,
             Self::UnknownWord { .. } => codes::UNKNOWN_WORD.code,
             Self::MissingKey { .. } => codes::MISSING_KEY.code,
             Self::WrongType { .. } => codes::WRONG_TYPE.code,
@@ -240,6 +249,10 @@ impl fmt::Display for Fault {
             }
             Self::Endless { limit, unit } => write!(f, "the file: expected at most {limit} {unit}, got more"),
             Self::UnknownKey { key, place, .. } => write!(f, "unknown key `{key}` in {place}"),
+            Self::ForeignKeys { keys, place, .. } => {
+                let many = if keys.len() > 1 { "s" } else { "" };
+                write!(f, "unknown key{many} `{}` in {place}", keys.join("` and `"))
+            }
             Self::UnknownWord { what, got, .. } => write!(f, "unknown {what} `{got}`"),
             Self::MissingKey { key, place, expected } => {
                 write!(f, "{place} lacks `{key}`: expected {expected}")

@@ -20,6 +20,15 @@ impl Fault {
             Self::UnknownKey { key, known, .. } => {
                 elsewhere(key, known).or_else(|| nearest_or_all(key, known))
             }
+            Self::ForeignKeys { keys, place, instead } => {
+                let all: Vec<String> =
+                    instead.iter().map(|(key, value)| format!("{value} as `{key}`")).collect();
+                // Of a box others mean a corner.
+                let is_corner = keys.first().is_some_and(|key| key == "x")
+                    && (place.ends_with("box") || place.ends_with("aabb"));
+                let middle = if is_corner { ", if that is its centre" } else { "" };
+                Some(format!("write {}{middle}", all.join(" and ")))
+            }
             Self::UnknownWord { got, known, .. } | Self::UnknownBody { got, known } => {
                 nearest_or_all(got, known)
             }
@@ -36,6 +45,9 @@ impl Fault {
             Self::MissingKey { key, .. } if key == "shapes" => {
                 Some("as: shapes.A = { kind = \"circle\", radius = 1 }".to_owned())
             }
+            Self::WrongType { key, .. } if key == "shapes" => Some(
+                "each stands under its name, as: shapes.A = { kind = \"circle\", radius = 1 }".to_owned(),
+            ),
             Self::WrongType { key, .. } if key == "scene" => {
                 Some("a scene is one, as: shapes.A = { kind = \"circle\", radius = 1 }".to_owned())
             }
@@ -65,7 +77,9 @@ impl Fault {
             Self::DuplicateKey { .. } => "keep one of the two",
             Self::OverLimit { .. } => "leave some of it out, or make several scenes of it",
             Self::Endless { .. } => "look whether it is the file that was meant",
-            Self::UnknownKey { .. } | Self::UnknownWord { .. } => "leave it out: none is known there",
+            Self::UnknownKey { .. } | Self::ForeignKeys { .. } | Self::UnknownWord { .. } => {
+                "leave it out: none is known there"
+            }
             Self::UnknownBody { .. } | Self::WrongCount { .. } => {
                 "each body is a table of its own: [shapes.A]"
             }
@@ -137,6 +151,7 @@ mod tests {
             Fault::OverLimit { what: text(), limit: 1, unit: "bytes", got: 2 },
             Fault::Endless { limit: 1, unit: "bytes" },
             Fault::UnknownKey { key: key(), place: text(), known: known() },
+            Fault::ForeignKeys { keys: vec![key()], place: text(), instead: Vec::new() },
             Fault::UnknownWord { what: "value", got: key(), known: known() },
             Fault::MissingKey { key: key(), place: text(), expected: text() },
             Fault::WrongType { key: key(), expected: "a number".to_owned(), got: text() },

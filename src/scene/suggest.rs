@@ -23,6 +23,11 @@ fn meant<'k>(_: &str, _: &'k [String]) -> Option<&'k String> {
     None
 }
 
+/// Whether another tool's word means one of these.
+pub(super) fn is_meant(got: &str, known: &[String]) -> bool {
+    meant(got, known).is_some()
+}
+
 /// The known words that a word begins which lacks its unit, as `angle` begins `angle_deg` and `angle_rad`.
 fn with_units(got: &str, known: &[String]) -> Vec<String> {
     let begun = known.iter().filter(|word| word.strip_prefix(got).is_some_and(|rest| rest.starts_with('_')));
