@@ -16,10 +16,12 @@ struct Row {
     theirs: &'static [&'static str],
     field: &'static str,
     ours: Ours,
+    /// What their keys have to mean for that, where they may mean something else.
+    provided: Option<&'static str>,
 }
 
 const fn row(theirs: &'static [&'static str], field: &'static str, ours: Ours) -> Row {
-    Row { theirs, field, ours }
+    Row { theirs, field, ours, provided: None }
 }
 
 /// What any shape has besides the fields of its kind.
@@ -44,6 +46,10 @@ static ROWS: &[Row] = &[
     row(&["p1", "p2"], "points", ends),
     row(&["point1", "point2"], "points", ends),
     row(&["center1", "center2"], "points", ends),
+    Row {
+        provided: Some("that is its centre"),
+        ..row(&["x", "y"], "half_extents", |v| Some(vec![("position", pair(numbers(v)?))]))
+    },
     row(&["x", "y"], ANY, |v| Some(vec![("position", pair(numbers(v)?))])),
     row(&["vx", "vy"], ANY, |v| Some(vec![("velocity", pair(numbers(v)?))])),
 ];
@@ -95,7 +101,8 @@ pub(super) fn translated(kind: &Kind, place: &str, node: &Node, p: &mut Problems
         let keys = places.iter().map(|&i| entries[i].0.value.clone()).collect();
         let instead = ours.iter().map(|(key, value)| ((*key).to_owned(), written(value))).collect();
         let span = entries[places[0]].0.span.clone();
-        p.add(Fault::ForeignKeys { keys, place: place.to_owned(), instead }, &span);
+        let place = place.to_owned();
+        p.add(Fault::ForeignKeys { keys, place, instead, provided: row.provided }, &span);
         entries.retain(|(k, _)| !row.theirs.contains(&k.value.as_str()));
         entries.extend(ours.into_iter().map(|(key, value)| {
             (Spanned { value: key.to_owned(), span: span.clone() }, Node { value, span: span.clone() })

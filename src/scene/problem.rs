@@ -71,6 +71,8 @@ pub enum Fault {
         place: String,
         /// The keys that say it here, each with the value that it has then.
         instead: Vec<(String, String)>,
+        /// What they have to mean for that, where others mean several things by them.
+        provided: Option<&'static str>,
     },
     /// A word that is none of those known.
     UnknownWord {

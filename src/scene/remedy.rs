@@ -20,14 +20,11 @@ impl Fault {
             Self::UnknownKey { key, known, .. } => {
                 elsewhere(key, known).or_else(|| nearest_or_all(key, known))
             }
-            Self::ForeignKeys { keys, place, instead } => {
+            Self::ForeignKeys { instead, provided, .. } => {
                 let all: Vec<String> =
                     instead.iter().map(|(key, value)| format!("{value} as `{key}`")).collect();
-                // Of a box others mean a corner.
-                let is_corner = keys.first().is_some_and(|key| key == "x")
-                    && (place.ends_with("box") || place.ends_with("aabb"));
-                let middle = if is_corner { ", if that is its centre" } else { "" };
-                Some(format!("write {}{middle}", all.join(" and ")))
+                let provided = provided.map(|so| format!(", if {so}")).unwrap_or_default();
+                Some(format!("write {}{provided}", all.join(" and ")))
             }
             Self::UnknownWord { got, known, .. } | Self::UnknownBody { got, known } => {
                 nearest_or_all(got, known)
@@ -151,7 +148,7 @@ mod tests {
             Fault::OverLimit { what: text(), limit: 1, unit: "bytes", got: 2 },
             Fault::Endless { limit: 1, unit: "bytes" },
             Fault::UnknownKey { key: key(), place: text(), known: known() },
-            Fault::ForeignKeys { keys: vec![key()], place: text(), instead: Vec::new() },
+            Fault::ForeignKeys { keys: vec![key()], place: text(), instead: Vec::new(), provided: None },
             Fault::UnknownWord { what: "value", got: key(), known: known() },
             Fault::MissingKey { key: key(), place: text(), expected: text() },
             Fault::WrongType { key: key(), expected: "a number".to_owned(), got: text() },
