@@ -1,5 +1,5 @@
-//! Shapes as other tools write them down: a box by its two corners, a circle by its diameter, a segment by two
-//! ends. Such keys are refused, as they are none of ours, but in one message that says the numbers to write.
+//! Shapes as other tools write them down: a box by its two corners, a circle by its diameter, a segment by
+//! two ends. Such keys are refused, as they are none of ours, but in one message that says what to write.
 
 use crate::geometry::shape::Kind;
 
@@ -11,10 +11,13 @@ use super::problem::{Fault, Problems};
 /// What other keys come to here: values of ours, or `None` where theirs are not what they should be.
 type Ours = fn(&[&Node]) -> Option<Vec<(&'static str, NodeValue)>>;
 
-/// Keys of others that belong together, the field that the kind of shape has for them, and what they come to.
+/// Keys of others that say one thing together.
 struct Row {
+    /// The keys, in the order in which their values are taken.
     theirs: &'static [&'static str],
+    /// The field that a kind of shape has for them, or [`ANY`].
     field: &'static str,
+    /// What they come to.
     ours: Ours,
     /// What their keys have to mean for that, where they may mean something else.
     provided: Option<&'static str>,
