@@ -89,49 +89,42 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
 #[test]
 fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green() {
     let f = figure("demo-obb");
-    let world = look(&f, 0, [-3.52, -2.9, 3.52, 5.3]);
+    let world = look(&f, 0, [-3.8, -3.35, 3.8, 4.65]);
     // Vertices of A and B, whose x axes are (24, 7)/25.
     let turned = |x: f64, y: f64| (0.96 * x - 0.28 * y, 0.28 * x + 0.96 * y);
     let outline = [(-2.5, -1.25), (2.5, -1.25), (2.5, 1.25), (-2.5, 1.25)].map(|(x, y)| turned(x, y));
-    let of_b = [(-0.85, -0.25), (1.65, -0.25), (1.65, 2.75), (-0.85, 2.75)];
-    let [b_1, b_2, ..] = of_b.map(|(x, y)| turned(x, y));
-    // Pushed out by 1.5 along (-7, 24)/25.
-    let pushed = of_b.map(|(x, y)| turned(x, y + 1.5));
-    let [.., a_1, a_2] = outline;
+    let of_b = [(-1.1, 0.25), (1.9, 0.25), (1.9, 2.75), (-1.1, 2.75)].map(|(x, y)| turned(x, y));
+    let [b_1, b_2, ..] = of_b;
     shows![
         world.polygon(A, &outline).is_some(),
-        world.polygon(B, &of_b.map(|(x, y)| turned(x, y))).is_some(),
-        world.polygon(B, &pushed).is_some_and(dotted) && f.says("$B$ pushed out"),
-        // From the middle of what the parallel edges share.
-        world.arrow(Translation, turned(0.4, -0.25), turned(0.4, 1.25)),
+        world.polygon(B, &of_b).is_some(),
+        // From the middle of what the parallel edges share, by 1 along (-7, 24)/25.
+        world.arrow(Translation, turned(0.4, 0.25), turned(0.4, 1.25)),
         // Both vertices are equally deep.
         world.marker(B, b_1) && world.text_near("$b_1$", b_1, 40.0),
         world.marker(B, b_2) && world.text_near("$b_2$", b_2, 40.0),
-        // The edges that face each other.
-        world.emphasised(B, b_1, b_2) && world.emphasised(A, a_1, a_2),
-        // Both ends of what they share once B is pushed out.
-        world.marker(Ink, pushed[0]) && world.marker(Ink, pushed[1]),
     ];
-    let conf = look(&f, 1, [-5.4, -3.0, 5.5, 5.2]);
+    let conf = look(&f, 1, [-5.17, -2.55, 5.03, 5.45]);
     let edges = [
-        ((-3.35, -1.5), B),
-        ((-0.85, -1.5), A),
-        ((4.15, -1.5), B),
-        ((4.15, 1.5), A),
-        ((4.15, 4.0), B),
-        ((1.65, 4.0), A),
-        ((-3.35, 4.0), B),
-        ((-3.35, 1.0), A),
+        ((-3.6, -1.0), B),
+        ((-0.6, -1.0), A),
+        ((4.4, -1.0), B),
+        ((4.4, 1.5), A),
+        ((4.4, 4.0), B),
+        ((1.4, 4.0), A),
+        ((-3.6, 4.0), B),
+        ((-3.6, 1.5), A),
     ];
     edges_wear_their_source(&conf, &edges.map(|((x, y), side)| (turned(x, y), side)));
     shows![
         conf.marker(Ink, (0.0, 0.0)),
-        conf.arrow_toward(Translation, turned(0.0, -1.5), (0.0, 0.0)),
-        conf.marker(Now, turned(-0.85, -1.5)),
-        f.texts.iter().filter(|(t, _)| t == "$d = 1.5$").count() == 2,
+        conf.arrow_toward(Translation, turned(0.0, -1.0), (0.0, 0.0)),
+        conf.marker(Now, turned(-0.6, -1.0)),
+        conf.emphasised(A, turned(-0.6, -1.0), turned(4.4, -1.0)),
+        f.texts.iter().filter(|(t, _)| t == "$d = 1$").count() == 2,
         f.says(r"$B \ominus A$") && f.says("$O$"),
-        conf.text_near("edge of $B$", turned(-2.1, -1.5), 60.0),
-        conf.text_near("edge of $A$, reversed", turned(1.65, -1.5), 80.0),
+        conf.text_near("edge of $B$", turned(-2.1, -1.0), 60.0),
+        conf.text_near("edge of $A$, reversed", turned(1.9, -1.0), 80.0),
     ];
 }
 

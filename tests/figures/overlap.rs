@@ -157,27 +157,27 @@ const CIRCLES: [[f64; 4]; 2] = [[-3.45, -7.1, 9.45, 4.4], [-3.45, -7.1, 11.4, 4.
 #[test]
 fn box_box_lays_out_half_extents_gaps_and_centre_distance_axis_by_axis() {
     let f = figure("box-box");
-    let w = look(&f, 0, [-6.4, -5.1, 12.3, 3.25]);
+    let w = look(&f, 0, [-6.55, -5.05, 13.35, 3.3]);
     shows![
-        w.polygon(A, &[(-6.0, -3.0), (0.0, -3.0), (0.0, 1.0), (-6.0, 1.0)]).is_some(),
-        w.polygon(B, &[(1.5, 0.0), (6.5, 0.0), (6.5, 3.0), (1.5, 3.0)]).is_some(),
-        w.marker(A, (-3.0, -1.0)),
-        w.marker(B, (4.0, 1.5)),
-        w.horizontal(A, -3.0, 0.0),
-        w.horizontal(Now, 0.0, 1.5),
-        w.horizontal(B, 1.5, 4.0),
-        w.horizontal(Ink, -3.0, 4.0),
+        w.polygon(A, &[(-6.25, -3.0), (-0.25, -3.0), (-0.25, 1.0), (-6.25, 1.0)]).is_some(),
+        w.polygon(B, &[(1.75, 0.0), (6.75, 0.0), (6.75, 3.0), (1.75, 3.0)]).is_some(),
+        w.marker(A, (-3.25, -1.0)),
+        w.marker(B, (4.25, 1.5)),
+        w.horizontal(A, -3.25, -0.25),
+        w.horizontal(Now, -0.25, 1.75),
+        w.horizontal(B, 1.75, 4.25),
+        w.horizontal(Ink, -3.25, 4.25),
         w.vertical(A, -1.0, 1.0),
         w.vertical(B, 0.0, 1.5),
+        w.vertical(Muted, 0.0, 1.0),
         w.vertical(Ink, -1.0, 1.5),
         f.says("$h_{A,x} = 3$") && f.says("$h_{B,x} = 2.5$"),
         f.says("$h_{A,y} = 2$") && f.says("$h_{B,y} = 1.5$"),
-        f.says("$D_x = 1.5$") && f.says("$D_y = -1$"),
-        f.says("$|c_B - c_A|_x = 7$") && f.says("$|c_B - c_A|_y = 2.5$"),
+        f.says("$D_x = 2$") && f.says("$D_y = -1$"),
+        f.says("$|c_B - c_A|_x = 7.5$") && f.says("$|c_B - c_A|_y = 2.5$"),
         f.says("$c_A$") && f.says("$c_B$"),
-        // Lit from A's edge to B's, up to the top; and what they share of the other axis, over both.
-        w.strip(Now, (0.0, 3.0), (1.5, 3.0)),
-        w.strip(Muted, (-6.0, 0.0), (-6.0, 1.0)),
+        // Lit from A's edge to B's, up to the top.
+        w.strip(Now, (-0.25, 3.0), (1.75, 3.0)),
     ];
 }
 
@@ -228,24 +228,29 @@ fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
     }
 }
 
-/// The vertices of the wall B of both figures of frames: ±0.6 along (24, 7)/25, ±2.5 along (-7, 24)/25.
+/// The vertices of the wall B of `frames-continuous`: ±0.6 along (24, 7)/25, ±2.5 along (-7, 24)/25.
 pub(crate) const WALL: [(f64, f64); 4] = [(0.124, -2.568), (1.276, -2.232), (-0.124, 2.568), (-1.276, 2.232)];
 
 #[test]
 fn frames_discrete_finds_the_overlap_late_and_with_a_longer_step_never() {
     let f = figure("frames-discrete");
-    let late = look(&f, 0, [-5.8, -2.85, 1.5, 2.85]);
-    let never = look(&f, 1, [-5.8, -2.85, 5.4, 2.85]);
+    let late = look(&f, 0, [-5.7, -2.3, 1.6, 2.8]);
+    let never = look(&f, 1, [-5.7, -2.3, 5.5, 2.8]);
+    // ±1.9 along (-7, 24)/25.
+    let wall = [(-0.044, -1.992), (1.108, -1.656), (0.044, 1.992), (-1.108, 1.656)];
     let solid = |panel: &super::seen::Look, at| panel.circle(A, at, 1.0).is_some_and(|p| p.fill.is_some());
     let dotted = |panel: &super::seen::Look, at| panel.circle(A, at, 1.0).is_some_and(|p| p.fill.is_none());
     // The wall's long edges lie on 24x + 7y = ±15. Along (24, 7)/25, the rim of A touches the one at t = 0.3,
     // is 1.424 beyond it at 0.5, and has left the other 1.784 behind at 1.
     let (start, middle, end) = ((-4.2125, 1.1), (-0.2125, 0.1), (3.7875, -0.9));
     shows![
-        late.polygon(B, &WALL).is_some() && never.polygon(B, &WALL).is_some(),
+        late.polygon(B, &wall).is_some() && never.polygon(B, &wall).is_some(),
         // Frames that are tested are solid, moments that are not are dotted.
         solid(&late, start) && solid(&late, middle),
         late.head(A, middle) && never.head(A, end),
+        // The way begins in a dot, and so does the touch that no test saw, at A's point nearest to B's line.
+        late.marker(A, start) && never.marker(A, start),
+        never.marker(Ink, (-0.8525, 0.78)),
         solid(&never, start) && solid(&never, end) && dotted(&never, (-1.8125, 0.5)),
         f.texts.iter().filter(|(t, _)| t == "$A$ in frame 1, $t = 0$").count() == 2,
         f.says("$A$ in frame 2, $t = 0.5$") && f.says("$A$ in frame 2, $t = 1$"),

@@ -2,9 +2,9 @@
 //! the right (y).
 //!
 //! Where D ≥ 0 one track holds `h_A` | D | `h_B` end to end. Where D < 0 the half-extents overlap: they lie
-//! on two lanes side by side, and the stretch that they share is hatched from lane to lane. Either stretch is
-//! a strip across both boxes; beside an axis with a gap, one that overlaps decides nothing and is grey. The
-//! distance of the centres is the last.
+//! on two lanes side by side, and the stretch that they share on a third. Either stretch is a strip across
+//! both boxes; but beside an axis with a gap, one that overlaps decides nothing: it is grey, and no strip.
+//! The distance of the centres is the last.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
@@ -19,27 +19,18 @@ use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 /// Distance of the tracks below from the boxes and from each other, page pixels: a label of 16 fits between.
 const BELOW: f64 = 40.0;
 
-/// Distance of the tracks to the right from the boxes, page pixels: a label of D and 16 fit between.
-const BESIDE: f64 = 92.0;
+/// Distance of the tracks to the right from the boxes, page pixels: clear of their outlines.
+const BESIDE: f64 = 40.0;
 
-/// From one of two lanes to the other, page pixels: two bars and not one, and room for a hatch.
+/// From one lane to the next, page pixels: bars side by side, and not one.
 const LANE: f64 = 26.0;
-
-/// From one line of the hatch to the next along the axis, page pixels.
-const HATCH: f64 = 7.0;
 
 /// Opacity of the strip between boxes that are apart along an axis, or of what they share of it.
 const LIT: f64 = 0.13;
 
-/// The most lines of a hatch; more are a grey area on any page.
-const MOST_LINES: usize = 1000;
-
-/// Opacity of the strip of what they share of one axis where they are apart along the other.
-const DIM: f64 = 0.09;
-
-/// Where the distance of the centres is measured to the right, as a part of the way to the first track: where
-/// the half-extents lie beside each other, and beyond their labels where they lie end to end.
-const LAST: [f64; 2] = [1.7, 2.0];
+/// Where the distance of the centres is measured to the right, as a part of the way to the first track:
+/// beyond the label of the third lane where the half-extents overlap, else beyond theirs.
+const LAST: [f64; 2] = [4.6, 3.6];
 
 pub(super) const LAYER: Layer = Layer {
     name: "axis-gaps",
@@ -96,8 +87,6 @@ struct Bar {
     pen: Pen,
     /// Where the label stands.
     beside: Beside,
-    /// Whether it is a stretch that is hatched, from the first track to its own, and no line.
-    is_shared: bool,
 }
 
 /// Where the label of a bar stands.
@@ -187,7 +176,7 @@ fn axis(
     let forward = if e.centers[0] <= e.centers[1] { 1.0 } else { -1.0 };
     let facing = [e.centers[0] + forward * e.half[0], e.centers[1] - forward * e.half[1]];
     let part = format!("axis-{}", e.name);
-    let is_lit = e.gap != 0.0;
+    let is_lit = e.gap != 0.0 && e.role != Role::Muted;
     if is_lit {
         strip(sketch, (facing, e.role), place, across);
     }
@@ -207,17 +196,10 @@ fn axis(
             }
         }
     }
-    // What is shared lies under the bars that share it.
-    bars.iter().filter(|bar| bar.is_shared).for_each(|bar| hatch(sketch, bar, place));
     for bar in bars {
-        // What is shared lies from the first track to its own.
-        let is_inward = bar.is_shared && bar.beside == Beside::Inward;
-        let track = if is_inward { 1.0 } else { bar.track };
-        let [p, q] = bar.ends.map(|end| place.point(end, track));
+        let [p, q] = bar.ends.map(|end| place.point(end, bar.track));
         let role = bar.pen.role;
-        if !bar.is_shared {
-            sketch.part(&part).bar(p, q, 0.0, bar.pen);
-        }
+        sketch.part(&part).bar(p, q, 0.0, bar.pen);
         // A part of its own, as a label beyond a bar's end must not lie on the bar.
         sketch.part("label");
         let out = place.point(0.0, 1.0) - place.point(0.0, 0.0);
@@ -245,25 +227,7 @@ fn strip(sketch: &mut Sketch, (facing, role): ([f64; 2], Role), place: &Place, a
     let far = far[0].min(far[1]);
     let ends = [(facing[0], 1.0), (facing[1], 1.0), (facing[1], far), (facing[0], far)];
     let strip = Outline::polygon(&ends.map(|(along, track)| place.point(along, track)));
-    let lit = if role == Role::Muted { DIM } else { LIT };
-    sketch.part("lit").weight(Weight::Light).area(&strip, Some(Wash::faint(role, lit)), None);
-}
-
-/// Hatches a stretch from the first track to the bar's own: the two lanes bound it on their sides.
-fn hatch(sketch: &mut Sketch, bar: &Bar, place: &Place) {
-    let (lo, hi) = (bar.ends[0].min(bar.ends[1]), bar.ends[0].max(bar.ends[1]));
-    let (first, last) = (1.0, bar.track);
-    let ends = [(lo, first), (hi, first), (hi, last), (lo, last)];
-    let outline = Outline::polygon(&ends.map(|(along, track)| place.point(along, track)));
-    sketch.part("shared").area(&outline, Some(Wash::faint(bar.pen.role, LIT)), None);
-    let (across, pitch) = ((last - first) * place.step.abs(), sketch.px(HATCH));
-    // Each line goes as far along as across.
-    let starts = std::iter::successors(Some(lo - across + pitch), |start| Some(start + pitch));
-    for start in starts.take_while(|start| *start < hi).take(MOST_LINES) {
-        let [p, q] = [start.max(lo), (start + across).min(hi)]
-            .map(|along| place.point(along, first + (along - start) / place.step.abs()));
-        sketch.line(p, q, bar.pen.width(1.0));
-    }
+    sketch.part("lit").weight(Weight::Light).area(&strip, Some(Wash::faint(role, LIT)), None);
 }
 
 /// `h_A`, D, `h_B` and the distance of the centres along one axis, each with its track.
@@ -285,19 +249,18 @@ fn bars(context: &Context, options: &Options, e: Extents) -> Vec<Bar> {
     let lengths = [e.half[0], e.gap, e.half[1], (b - a).abs()];
     let ends = [[a, facing[0]], facing, [facing[1], b], [a, b]];
     let axis = usize::from(name == 'y');
-    let lane = 1.0 + LANE / [BELOW, BESIDE][axis];
-    let is_overlap = e.gap < 0.0;
-    let (tracks, places) = match (is_overlap, name) {
-        (true, 'x') => ([1.0, lane, lane, lane + 1.0], [First, Outward, Last, Outward]),
-        (true, _) => ([1.0, lane, lane, LAST[0]], [First, Inward, Last, Outward]),
+    let lane = LANE / [BELOW, BESIDE][axis];
+    let (second, third) = (1.0 + lane, 1.0 + 2.0 * lane);
+    let (tracks, places) = match (e.gap < 0.0, name) {
+        (true, 'x') => ([1.0, third, second, third + 1.0], [First, Outward, Last, Outward]),
+        (true, _) => ([1.0, third, second, LAST[0]], [First, Outward, Last, Outward]),
         (false, 'x') => ([1.0, 1.0, 1.0, 2.0], [Inward, Inward, Inward, Outward]),
         (false, _) => ([1.0, 1.0, 1.0, LAST[1]], [Outward; 4]),
     };
     let pens = [half[0], Pen::highlighted(e.role), half[1], Pen::dimension(Role::Ink)];
     let bar = |i: usize| {
         let text = format!("${} = {}$", symbols[i], number(lengths[i]));
-        let (ends, is_shared) = (ends[i], is_overlap && i == 1);
-        Bar { key: keys[i], text, ends, track: tracks[i], pen: pens[i], beside: places[i], is_shared }
+        Bar { key: keys[i], text, ends: ends[i], track: tracks[i], pen: pens[i], beside: places[i] }
     };
     (0..keys.len()).map(bar).collect()
 }
@@ -320,7 +283,7 @@ mod tests {
     }
 
     #[test]
-    fn half_extents_that_overlap_lie_side_by_side_and_share_what_is_negative() {
+    fn half_extents_that_overlap_lie_side_by_side_and_what_is_negative_beside_them() {
         let text = "shapes.A = { kind = 'aabb', half_extents = [2, 1] }
              shapes.B = { kind = 'aabb', half_extents = [1, 2], position = [2.5, 4] }
              query = { kind = 'separation', of = ['A', 'B'], algorithm = 'extents' }
@@ -334,35 +297,26 @@ mod tests {
             let whole = paths(&figure.drawing.items, part).into_iter().map(points);
             whole.filter(|p| p.len() == 2 && (p[1] - p[0]).length() > 9.0).map(|p| [p[0], p[1]]).collect()
         };
-        let level: Vec<f64> = bars("axis-x").iter().filter(|[p, q]| p.y == q.y).map(|[p, _]| p.y).collect();
-        // Both half-extents on lanes of their own, then the distance of the centres.
-        assert!(level.len() == 3 && (level[0] - level[1] + LANE).abs() < 1e-9, "{level:?}");
-        let whole: Vec<Point> = points(paths(&figure.drawing.items, "shared")[0]);
-        let [least, most] = [f64::min, f64::max].map(|of| {
-            let (x, y) = (whole.iter().map(|p| p.x), whole.iter().map(|p| p.y));
-            [x.reduce(of).unwrap(), y.reduce(of).unwrap()]
-        });
-        // Along y they are apart: from A's top, 1, to B's bottom, 2, over the width of both; what they share
-        // of x is a strip too, from under that.
+        let level: Vec<[Point; 2]> = bars("axis-x").into_iter().filter(|[p, q]| p.y == q.y).collect();
+        // Both half-extents and what they share on lanes of their own, then the distance of the centres.
+        let lanes: Vec<f64> = level.iter().map(|[p, _]| (p.y - level[0][0].y) / LANE).collect();
+        assert!(
+            level.len() == 4 && (lanes[1] - 2.0).abs() < 1e-9 && (lanes[2] - 1.0).abs() < 1e-9,
+            "{lanes:?}"
+        );
+        // From 1.5 to 2 of x they share.
         let frame = &figure.panels[0].frame;
+        let [from, to] = [1.5, 2.0].map(|x| frame.page(DVec2::new(x, 0.0)).x);
+        let [p, q] = level[1].map(|p| p.x);
+        assert!((p.min(q) - from).abs() < 1e-6 && (p.max(q) - to).abs() < 1e-6, "{level:?}");
+        // Along y they are apart: from A's top, 1, to B's bottom, 2, over the width of both. That is the only
+        // strip, as what they share of x decides nothing.
         let strips = paths(&figure.drawing.items, "lit");
-        assert_eq!(strips.len(), 2);
-        let strip = points(strips[1]);
+        assert_eq!(strips.len(), 1);
+        let strip = points(strips[0]);
         for place in [[-2.0, 1.0], [-2.0, 2.0]].map(|p| frame.page(DVec2::from(p))) {
             assert!(strip.iter().any(|p| (*p - place).length() < 1e-6), "{place:?}: {strip:?}");
         }
-        // From 1.5 to 2 of x they share, from lane to lane.
-        let [from, to] = [1.5, 2.0].map(|x| frame.page(DVec2::new(x, 0.0)).x);
-        assert!((least[0] - from).abs() < 1e-6 && (most[0] - to).abs() < 1e-6, "{whole:?}");
-        assert!((level[0] - least[1]).abs() < 1e-6 && (most[1] - level[1]).abs() < 1e-6, "{whole:?}");
-        // Hatched from edge to edge of it, and nowhere else.
-        let hatch: Vec<Point> =
-            paths(&figure.drawing.items, "shared")[1..].iter().flat_map(|p| points(p)).collect();
-        let inside = |p: &Point| {
-            let beyond = [least[0] - p.x, p.x - most[0], least[1] - p.y, p.y - most[1]];
-            beyond.iter().all(|by| *by < 1e-6)
-        };
-        assert!(hatch.len() >= 6 && hatch.iter().all(inside), "{hatch:?}");
         let upright: Vec<f64> = bars("axis-y").iter().filter(|[p, q]| p.x == q.x).map(|[p, _]| p.x).collect();
         assert!(upright.len() == 4 && upright[0] == upright[1] && upright[1] == upright[2], "{upright:?}");
     }

@@ -38,6 +38,12 @@ pub(super) const LAYER: Layer = Layer {
             default: "false",
             about: "A turned half round, dotted: where \"grown\", turned half round about its point, has it",
         },
+        OptionSpec {
+            name: "text",
+            takes: Takes::Lines,
+            default: "by the algorithm",
+            about: "lines of the label in this panel",
+        },
     ],
     labels: &[
         LabelKey { key: "d", about: "distance or depth" },
@@ -107,7 +113,11 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         sketch.dimension(from, to, 0.0, Pen::dimension(role).width(1.5));
     }
     sketch.detail(&[from, to]);
-    sketch.label(Label::new("d", text, Anchor::middle(from, to), role));
+    let label = Label::new("d", text, Anchor::middle(from, to), role);
+    sketch.label(match options.words("text") {
+        Some(lines) => label.given(lines),
+        None => label,
+    });
 }
 
 /// Draws A as it lies in B ⊖ A where that is the grown A turned half round about B's origin: x is at b − x.
@@ -200,4 +210,26 @@ pub(super) fn leg(found: &Difference, from: DVec2, foot: DVec2) -> Option<DVec2>
     let to = from + foot;
     let (p, q) = facing(found, from, foot)?;
     Some(if to.distance_squared(p) > to.distance_squared(q) { p - to } else { q - to })
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::figure::layer::tests::{labels, paths};
+    use crate::figure::{draw, plan};
+    use crate::scene::open_text;
+
+    #[test]
+    fn of_two_edges_that_face_each_other_one_right_angle_is_marked() {
+        let text = "shapes.A = { kind = 'box', half_extents = [2, 1] }
+            shapes.B = { kind = 'box', half_extents = [1, 1], position = [0.5, 1.5] }
+            query = { kind = 'separation', of = ['A', 'B'] }
+            panels = [{ layers = ['separation'] },
+                { space = 'configuration', layers = [{ layer = 'closest', text = 'out' }] }]";
+        let scene = open_text("marks.toml", text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "marks");
+        assert_eq!(paths(&figure.drawing.items, "right-angle").len(), 2, "one in either panel");
+        // The label of the last panel, where the scene gives it a text.
+        assert_eq!(labels(&figure)["d"].0, "out");
+    }
 }

@@ -4,7 +4,9 @@
 use crate::collision::Separation;
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{Anchor, Label, Outline, Pen, Rank, Size, Sketch, Wash, Weight};
+use crate::figure::sketch::{
+    Anchor, Label, Marker, Outline, Pen, Rank, SMALL_MARKER, Size, Sketch, Wash, Weight,
+};
 use crate::figure::text::{Digits, Quantity, in_math, number};
 use crate::geometry::{DVec2, Side};
 use crate::scene::When;
@@ -184,6 +186,10 @@ fn moment(sketch: &mut Sketch, context: &Context, options: &Options, side: Side)
             let way = context.track(side, DVec2::ZERO, [time.min(context.time), time.max(context.time)]);
             let role = options.role(side.into());
             sketch.part(part("way", side)).path_to_its_end(&way, Pen::path(role));
+            // Its head says where the origin comes to; a dot, where it was.
+            if let Some(&start) = way.first() {
+                sketch.marker(start, Marker::Disc, role, SMALL_MARKER);
+            }
         }
         let hit = context.hit_time().filter(|hit| hit.lo == time);
         let then = hit.map_or_else(|| number(time), |hit| Quantity::within(hit).latex());

@@ -117,7 +117,8 @@ fn reaches(sketch: &mut Sketch, context: &Context, options: &Options) {
         let out = far.try_normalize().unwrap_or(DVec2::X);
         let (center, tip) = (pose.position, pose.point(far + out * body.shape.radius));
         let role = options.role(side.into());
-        sketch.part(part("reach", side)).dimension(center, tip, 0.0, Pen::dimension(role).width(1.5));
+        // Without ticks: at a vertex they would stick out of the body as a head does.
+        sketch.part(part("reach", side)).line(center, tip, Pen::dimension(role).width(1.5));
         let key = if side == Side::A { "r1" } else { "r2" };
         let text = format!("${} = {}$", context.named(side).below("r"), number(center.distance(tip)));
         let (along, points) = (tip - center, context.outline(side, context.time));

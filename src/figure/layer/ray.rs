@@ -69,6 +69,7 @@ pub(super) const LAYER: Layer = Layer {
             key: "t",
             about: "time of the hit, along the free way; without its band, with ends or lines, at the hit",
         },
+        LabelKey { key: "met", about: "times at which it meets the lines, with lines" },
         LabelKey { key: "start", about: "the time where it starts, with ends" },
         LabelKey { key: "end", about: "the time where it ends, with ends" },
     ],
@@ -142,12 +143,20 @@ fn missed(sketch: &mut Sketch, context: &Context, from: DVec2, v: DVec2) {
         }
         _ => None,
     });
+    // Two edges on one line are met together.
+    let mut named = Vec::new();
     for (p, q, time) in told.filter(|(p, q, time)| p != q && (0.0..hit.lo).contains(time)) {
         let meets = from + v * time;
         let end = if meets.distance_squared(p) < meets.distance_squared(q) { p } else { q };
         sketch.since(context.answered()).part("line").weight(Weight::Light);
         sketch.line(end, meets, Pen::construction());
         sketch.part("meets").marker(meets, Marker::HollowDisc, Role::Ink, MARKER);
+        if !named.contains(&time) {
+            named.push(time);
+            let text = format!("$t = {}$", number(time));
+            let label = Label::new("met", text, Anchor::point(meets), Role::Ink);
+            sketch.label(label.rank(Rank::Word).size(Size::Note));
+        }
     }
 }
 
@@ -224,6 +233,9 @@ mod tests {
             let lines = paths(&figure.drawing.items, "line");
             let met = lines.iter().filter(|line| (points(line)[1] - place).length() < 1e-6).count();
             assert_eq!((met > 0, lines.len() == met), (count > 0, true), "{option}");
+            // When it does is said once.
+            let times = figure.panels[0].placed.iter().filter(|label| label.key == "met").count();
+            assert_eq!(times, count, "{option}");
         }
     }
 

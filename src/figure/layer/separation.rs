@@ -255,7 +255,8 @@ fn carrier(sketch: &mut Sketch, context: &Context, run: &Run, answer: &Separatio
 /// one, where it still ends on them.
 fn right_angles(sketch: &mut Sketch, context: &Context, run: &Run, answer: &Separation, aside: DVec2) {
     let [a, b] = answer.points;
-    for (at, [p, q]) in edges(context, run.time, answer) {
+    // Of two edges that face each other one is enough: they are parallel. B's, as the arrow's head is at A.
+    for (at, [p, q]) in edges(context, run.time, answer).into_iter().rev().take(1) {
         let other = if at == a { b } else { a };
         let foot = at + aside;
         let leg = if foot.distance_squared(p) > foot.distance_squared(q) { p } else { q };

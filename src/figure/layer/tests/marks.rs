@@ -66,7 +66,9 @@ fn a_ghost_says_when_it_is_and_the_way_there_leads_on() {
     let figure = figure("", "linear-sweep", "'shapes', { layer = 'ghosts', at = 'hit', path = true }");
     assert_eq!(labels(&figure)["A'"].0, "$A$ at $t = 0.5$");
     let way = paths(&figure.drawing.items, "way-A");
-    assert!(way.len() == 2 && way[1].fill.is_some() && way[0].stroke.as_ref().unwrap().dash.is_empty());
+    // A line, its head, and a dot where it begins.
+    let filled = [1, 2].iter().all(|&k: &usize| way[k].fill.is_some());
+    assert!(way.len() == 3 && filled && way[0].stroke.as_ref().unwrap().dash.is_empty());
     let ghost = paths(&figure.drawing.items, "ghost-A");
     assert!(ghost[0].fill.is_none() && !ghost[0].stroke.as_ref().unwrap().dash.is_empty());
 }
