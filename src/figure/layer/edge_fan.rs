@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::cue::Cue;
-use crate::figure::sketch::{Anchor, Label, Pen, Rank, Size, Sketch, Weight, angle_of};
+use crate::figure::sketch::{Anchor, Label, Marker, Pen, Rank, SMALL_MARKER, Size, Sketch, Weight, angle_of};
 use crate::geometry::{DVec2, Side};
 use crate::trace::Event;
 
@@ -90,6 +90,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let label = Label::new("step", k.to_string(), Anchor::tip(DVec2::ZERO, edge), role);
         sketch.label(label.rank(Rank::Word).size(Size::Note));
     }
+    // Over the shafts, which run into each other there.
+    sketch.since(None).part("hub").marker(DVec2::ZERO, Marker::Disc, Role::Ink, SMALL_MARKER);
     order(sketch, &all);
 }
 

@@ -17,9 +17,10 @@ use super::difference::{difference, draw_edge};
 use super::edge_cues::EdgeCues;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
-/// Opacity of the copies of B around A, and how many there are at most: A is under them.
+/// Opacity of the copy of B that touches A, and how many there are at most: one tells where b is then, and
+/// readers took two for clutter.
 const COPY: f64 = 0.7;
-const COPIES: usize = 2;
+const COPIES: usize = 1;
 
 pub(super) const LAYER: Layer = Layer {
     name: "grown",
@@ -37,7 +38,7 @@ pub(super) const LAYER: Layer = Layer {
             name: "around",
             takes: Takes::Flag,
             default: "false",
-            about: "faint copies of B moved around A, where they touch it, with the point in each",
+            about: "a faint copy of B moved around A, where it touches it, with the point in it",
         },
         OptionSpec {
             name: "distance",

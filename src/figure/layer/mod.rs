@@ -53,6 +53,7 @@ mod radii;
 mod ray;
 mod ruler;
 mod separating_cone;
+mod separating_lines;
 mod separation;
 mod shadow;
 mod shapes;
@@ -180,6 +181,7 @@ pub static LAYERS: &[Layer] = &[
     edge_fan::LAYER,
     merging::LAYER,
     separating_cone::LAYER,
+    separating_lines::LAYER,
     graph::LAYER,
     fastest_approach::LAYER,
     enlarged::LAYER,

@@ -47,6 +47,12 @@ pub(super) const LAYER: Layer = Layer {
             about: "of a dimension line: page px to the right of the way from A to B, as of `separation`",
         },
         OptionSpec {
+            name: "touching",
+            takes: Takes::Flag,
+            default: "false",
+            about: "the lengths once B is moved until both circles touch: then the radii add up to the first",
+        },
+        OptionSpec {
             name: "toward",
             takes: Takes::Word(&COMPASS),
             default: "square to the normal",
@@ -81,6 +87,17 @@ struct Compared {
     answer: Separation,
 }
 
+impl Compared {
+    /// Both circles once B is moved along the line of the centres until they touch.
+    fn touching(mut self) -> Self {
+        let n = *self.answer.normal;
+        self.apart = self.radii[0] + self.radii[1];
+        self.centers[1] = self.centers[0] + self.apart * n;
+        self.answer.points = [self.centers[0] + self.radii[0] * n; 2];
+        self
+    }
+}
+
 /// What the algorithm compared.
 fn compared(context: &Context) -> Option<Compared> {
     let run = context.separation_at(context.time)?;
@@ -95,7 +112,7 @@ fn compared(context: &Context) -> Option<Compared> {
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     match options.word("as", "line") {
-        "lengths" => lengths(sketch, context),
+        "lengths" => lengths(sketch, context, options.flag("touching", false)),
         "reach" => reaches(sketch, context, options),
         "dimension" => dimensions(sketch, context, options),
         _ => lines(sketch, context, options),
@@ -220,8 +237,10 @@ struct Length {
 
 /// Draws ‖A − B‖, r₁ and r₂ on tracks along the line of centres, below the circles: the radii overlap by the
 /// depth.
-fn lengths(sketch: &mut Sketch, context: &Context) {
+fn lengths(sketch: &mut Sketch, context: &Context, touching: bool) {
     let Some(compared) = compared(context) else { return };
+    let bodies = compared.centers;
+    let compared = if touching { compared.touching() } else { compared };
     let Compared { centers, radii, answer, .. } = compared;
     let n = answer.normal;
     let side = perp(*n);
@@ -229,8 +248,8 @@ fn lengths(sketch: &mut Sketch, context: &Context) {
     let down = if onto.y > 0.0 { -side } else { side };
     let run = context.separation_at(context.time);
     sketch.since(run.and_then(|run| run.last_cue(|e| matches!(e, Event::CirclesCompared { .. }))));
-    let tracks = tracks(context, &compared);
-    if answer.separation < -sketch.px(UNSEEN) {
+    let tracks = tracks(context, &compared, touching);
+    if answer.separation < -sketch.px(UNSEEN) && !touching {
         let track = |i: f64| down * (radii[0].max(radii[1]) + sketch.px(TRACK * (i + FIRST)));
         let [p, q] = answer.points;
         let strip = Outline::polygon(&[p + track(1.0), q + track(1.0), q + track(2.0), p + track(2.0)]);
@@ -259,8 +278,8 @@ fn lengths(sketch: &mut Sketch, context: &Context) {
             let beside = (point - center).dot(*n);
             (radius * radius - beside * beside).max(0.0).sqrt()
         };
-        let below = centers.iter().zip(radii).map(|(&center, radius)| rim(center, radius));
-        let start = below.fold(0.0, f64::max);
+        let discs = centers.iter().chain(&bodies).zip(radii.iter().cycle());
+        let start = discs.map(|(&center, &radius)| rim(center, radius)).fold(0.0, f64::max);
         sketch.part("lengths").weight(Weight::Light).line(
             point + down * start,
             point + out,
@@ -269,8 +288,8 @@ fn lengths(sketch: &mut Sketch, context: &Context) {
     }
 }
 
-/// ‖A − B‖, r₁ and r₂, each where it lies on the line of the centres.
-fn tracks(context: &Context, compared: &Compared) -> [Length; 3] {
+/// ‖A − B‖, or r₁ + r₂ where that is as much, r₁ and r₂, each where it lies on the line of the centres.
+fn tracks(context: &Context, compared: &Compared, touching: bool) -> [Length; 3] {
     let Compared { centers, radii, apart, answer } = *compared;
     let n = answer.normal;
     let bar = |key, text, ends, role: Role, weight| Length { key, text, ends, role, weight };
@@ -279,7 +298,9 @@ fn tracks(context: &Context, compared: &Compared) -> [Length; 3] {
     [
         bar(
             "centers",
-            if context.has_letters() {
+            if touching {
+                format!("${r} + {q} = {}$", number(apart))
+            } else if context.has_letters() {
                 format!(r"$\|{a} - {b}\| = {}$", number(apart))
             } else {
                 format!("centres ${}$ apart", number(apart))
@@ -308,7 +329,7 @@ fn tracks(context: &Context, compared: &Compared) -> [Length; 3] {
 #[cfg(test)]
 mod tests {
     use crate::drawing::Rect;
-    use crate::figure::layer::tests::{paths, points};
+    use crate::figure::layer::tests::{labels, paths, points};
     use crate::figure::{draw, plan};
     use crate::scene::open_text;
 
@@ -329,5 +350,27 @@ mod tests {
             assert!(near.union(Rect::new(end, end)) == near, "{place}: {:?} {end:?}", label.bounds);
             assert_eq!(figure.faults(), [], "{place}");
         }
+    }
+
+    #[test]
+    fn once_they_touch_the_radii_lie_end_to_end_under_their_sum() {
+        let text = "shapes.A = { kind = 'circle', radius = 3 }
+            shapes.B = { kind = 'circle', radius = 4, position = [4, 3] }
+            query = { kind = 'separation', of = ['A', 'B'], algorithm = 'circles' }
+            panels = [{ layers = ['shapes', { layer = 'radii', as = 'lengths', touching = true }] }]";
+        let scene = open_text("touching", text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "touching");
+        assert_eq!(labels(&figure)["centers"].1, 7.0);
+        let scale = figure.panels[0].frame.scale;
+        let long = |path: &crate::drawing::Path| {
+            let p = points(path);
+            libm::hypot(p[1].x - p[0].x, p[1].y - p[0].y) / scale
+        };
+        let lengths: Vec<f64> = paths(&figure.drawing.items, "lengths").into_iter().map(long).collect();
+        for wanted in [7.0, 3.0, 4.0] {
+            assert!(lengths.iter().any(|l| (l - wanted).abs() < 0.01), "{wanted} in {lengths:?}");
+        }
+        assert!(paths(&figure.drawing.items, "shared").is_empty());
     }
 }

@@ -35,13 +35,13 @@ const ANGLE: f64 = 0.5;
 const FREE: (f64, f64) = (0.86, 48.0);
 
 /// Opacity of the cone: the axes may lie under it.
-const FILL: f64 = 0.16;
+pub(super) const FILL: f64 = 0.16;
 
 /// Opacity of the strip between the line square to n and B ⊖ A.
 const LIT: f64 = 0.11;
 
 /// How far a tangent reaches past the point where it touches, page pixels.
-const PAST: f64 = 30.0;
+pub(super) const PAST: f64 = 30.0;
 
 /// How far a tangent reaches back through O, page pixels: the right angle is marked there, outside the cone.
 const BACK: f64 = 30.0;
@@ -69,13 +69,13 @@ const BEHIND: f64 = 34.0;
 const READABLE: [f64; 2] = [24.0, RADIUS];
 
 /// The keys of the names of each tangent and of the end of the cone square to it, the left tangent first.
-const NAMES: [[&str; 2]; 2] = [["t_1", "n_1"], ["t_2", "n_2"]];
+pub(super) const NAMES: [[&str; 2]; 2] = [["t_1", "n_1"], ["t_2", "n_2"]];
 
 /// The colour of the ends of the cone and of the tangents that they are square to.
-const TURNED: Role = Role::Now;
+pub(super) const TURNED: Role = Role::Now;
 
 /// Width of a tangent and of the line square to n, page pixels: less than that of an end of the cone.
-const TANGENT: f64 = 1.25;
+pub(super) const TANGENT: f64 = 1.25;
 
 /// The words of the option `show`.
 const PARTS: [&str; 4] = ["line", "cone", "n_1", "n_2"];
@@ -121,13 +121,13 @@ pub(super) const LAYER: Layer = Layer {
 };
 
 /// The directions that separate, at the panel's moment.
-struct Cone {
+pub(super) struct Cone {
     /// The angles of the two tangents from O, in radians; the second one is up to π to the left of the first.
-    tangents: [f64; 2],
+    pub(super) tangents: [f64; 2],
     /// Where each touches.
     touching: [DVec2; 2],
     /// The direction of the greatest gap.
-    normal: DVec2,
+    pub(super) normal: DVec2,
     /// Its angle, in radians, between the two ends of the cone.
     ahead: f64,
     /// The greatest gap: from the line through O square to `normal` to B ⊖ A.
@@ -137,7 +137,7 @@ struct Cone {
 }
 
 /// The cone; `None` for bodies that are not proved to be apart.
-fn cone(context: &Context) -> Option<Cone> {
+pub(super) fn cone(context: &Context) -> Option<Cone> {
     let found = difference(context, context.difference_time())?;
     let answer = context.separation_seen(context.time)?;
     if answer.bounds.lo <= 0.0 {
@@ -180,21 +180,21 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
     // As long as what it is compared with.
     let [least, most] = READABLE.map(|px| sketch.px(px));
-    let length = if line { 1.0_f64.max(least).min(most) } else { radius(sketch, &found) };
+    let length = if line { 1.0_f64.max(least).min(most) } else { fitting_radius(sketch, found.gap) };
     let tip = origin + found.normal * length;
     sketch.part("direction").arrow(origin, tip, Pen::vector(Role::Ink));
     sketch.label(Label::new("n", "$n$", Anchor::tip(origin, tip), Role::Ink));
 }
 
-/// The radius of the cone: 1, as its ends are unit vectors, where that can be read.
-fn radius(sketch: &Sketch, cone: &Cone) -> f64 {
-    let most = sketch.px(RADIUS).min((FREE.0 * cone.gap).max(sketch.px(FREE.1)));
+/// The radius of a cone with so much free ahead of it: 1, as of its unit vectors, where that can be read.
+pub(super) fn fitting_radius(sketch: &Sketch, free: f64) -> f64 {
+    let most = sketch.px(RADIUS).min((FREE.0 * free).max(sketch.px(FREE.1)));
     if (sketch.px(FREE.1)..=most).contains(&1.0) { 1.0 } else { most }
 }
 
 /// Draws the cone, and the tangents that its `ends` are square to: of the first alone the cone from n on.
 fn fan(sketch: &mut Sketch, cone: &Cone, origin: DVec2, (role, names, ends): (Role, bool, [bool; 2])) {
-    let radius = radius(sketch, cone);
+    let radius = fitting_radius(sketch, cone.gap);
     let turns = [cone.tangents[1] - FRAC_PI_2, cone.tangents[0] + FRAC_PI_2];
     let (start, end) = (turns[0], if ends[1] { turns[1] } else { cone.ahead });
     let sector = Outline::sector(origin, radius, start, end - start);
@@ -272,7 +272,7 @@ fn square(sketch: &mut Sketch, cone: &Cone, origin: DVec2, (role, names, lit): (
 }
 
 /// Draws the square of a right angle at a point, between two directions.
-fn right_angle(sketch: &mut Sketch, at: DVec2, directions: [f64; 2]) {
+pub(super) fn right_angle(sketch: &mut Sketch, at: DVec2, directions: [f64; 2]) {
     let [p, q] = directions.map(|angle| on_circle(at, sketch.px(SQUARE), angle));
     let square = Outline::polyline(&[p, p + q - at, q]);
     sketch.part("right-angle").weight(Weight::Light).stroke(&square, Pen::dimension(Role::Muted));

@@ -1,0 +1,163 @@
+//! The lines that pass between two bodies, from one that touches both to the other: the cone of separating
+//! directions in the world.
+//!
+//! A line between A and B, square to n, can turn until it touches both. The two where it does, the inner
+//! tangents of the bodies, are the tangents from O to B ⊖ A of [`separating_cone`](super::separating_cone):
+//!
+//! ```text
+//! support of B against n − support of A along n = the point of B ⊖ A that is touched
+//! ```
+//!
+//! so the directions square to them bound the same cone. It is drawn where the two lines cross: each line
+//! through that point square to a direction of the cone passes between the bodies.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use crate::drawing::Role;
+use crate::figure::context::Context;
+use crate::figure::sketch::{
+    Anchor, Label, MARKER, Marker, Outline, Pen, SMALL_MARKER, Sketch, Wash, Weight, on_circle,
+};
+use crate::geometry::{DVec2, Side};
+
+use super::separating_cone::{Cone, FILL, NAMES, PAST, TANGENT, TURNED, cone, fitting_radius, right_angle};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
+
+pub(super) const LAYER: Layer = Layer {
+    name: "separating-lines",
+    about: "the lines between the bodies that touch both, with the cone of directions that separate them",
+    shows: Shows::World,
+    tells: Tells::Found,
+    options: &[OptionSpec {
+        name: "names",
+        takes: Takes::Flag,
+        default: "false",
+        about: "names both lines, and each end of the cone by the line that it is square to",
+    }],
+    labels: &[
+        LabelKey { key: "n", about: "the direction of the greatest gap" },
+        LabelKey { key: "t_1", about: "the line square to the cone's first end, with names" },
+        LabelKey { key: "t_2", about: "the line square to the cone's second end, with names" },
+        LabelKey { key: "n_1", about: "the first end of the cone, with names" },
+        LabelKey { key: "n_2", about: "the second end of the cone, with names" },
+    ],
+    needs: "two convex bodies",
+    fed: |context, _| {
+        let found = super::difference::difference(context, context.difference_time()).is_some();
+        Fed::by_the_answer(cone(context).is_some(), found)
+    },
+    draw,
+};
+
+/// A line that touches both bodies and passes between them.
+struct Touching {
+    /// The direction square to it that leads from A to B, an angle in radians.
+    turn: f64,
+    /// Its direction, from where it touches A to where it touches B.
+    along: f64,
+    /// Where it touches A and B.
+    at: [DVec2; 2],
+}
+
+/// The two lines that touch both bodies at the panel's moment, the first as in [`Cone::tangents`] the last.
+fn lines(context: &Context, cone: &Cone) -> Option<[Touching; 2]> {
+    let line = |along: f64, turn: f64| {
+        let n = on_circle(DVec2::ZERO, 1.0, turn);
+        let at = [support(context, Side::A, n)?, support(context, Side::B, -n)?];
+        Some(Touching { turn, along, at })
+    };
+    let [right, left] = cone.tangents;
+    Some([line(left, left - FRAC_PI_2)?, line(right, right + FRAC_PI_2)?])
+}
+
+/// The point of a body farthest along a unit vector, in the world.
+fn support(context: &Context, side: Side, n: DVec2) -> Option<DVec2> {
+    let (body, pose) = (context.body(side)?, context.pose(side, context.time)?);
+    let core = body.shape.core.iter().filter_map(|&k| body.shape.vertices.get(k));
+    let far = core.map(|&v| pose.point(v)).max_by(|p, q| p.dot(n).total_cmp(&q.dot(n)))?;
+    Some(far + body.shape.radius * n)
+}
+
+/// Where the two lines cross; where they are one line, the middle of what is free of it.
+fn crossing([p, q]: &[Touching; 2]) -> DVec2 {
+    let [u, w] = [p, q].map(|line| on_circle(DVec2::ZERO, 1.0, line.along));
+    let part = (q.at[0] - p.at[0]).perp_dot(w) / u.perp_dot(w);
+    let most = (p.at[1] - p.at[0]).dot(u);
+    // Between the bodies, however little the lines differ.
+    let part = if part.is_finite() { part.clamp(0.0, most.max(0.0)) } else { 0.5 * most };
+    p.at[0] + part * u
+}
+
+fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
+    let Some(found) = cone(context) else { return };
+    let Some(lines) = lines(context, &found) else { return };
+    let (role, names) = (options.role(Role::Translation), options.flag("names", false));
+    sketch.since(context.separation_at(context.time).map(|run| run.end()));
+    let origin = crossing(&lines);
+    let nearest = support(context, Side::B, -found.normal).unwrap_or(origin);
+    let radius = fitting_radius(sketch, found.normal.dot(nearest - origin));
+    let sector = Outline::sector(origin, radius, lines[0].turn, lines[1].turn - lines[0].turn);
+    sketch.part("cone").area(&sector, Some(Wash::faint(role, FILL)), None);
+    for (line, [tangent, name]) in lines.iter().zip(NAMES) {
+        touching(sketch, line, origin, names.then_some(tangent));
+        let tip = on_circle(origin, radius, line.turn);
+        sketch.part("cone-edge").arrow(origin, tip, Pen::highlighted(TURNED));
+        if names {
+            sketch.label(Label::new(name, format!("${name}$"), Anchor::tip(origin, tip), TURNED));
+        }
+    }
+    let tip = origin + found.normal * radius;
+    sketch.part("direction").arrow(origin, tip, Pen::vector(Role::Ink));
+    sketch.label(Label::new("n", "$n$", Anchor::tip(origin, tip), Role::Ink));
+    sketch.part("crossing").marker(origin, Marker::Disc, Role::Ink, SMALL_MARKER);
+}
+
+/// Draws a line that touches both bodies, where it does, its right angle to the cone's end, its name.
+fn touching(sketch: &mut Sketch, line: &Touching, origin: DVec2, name: Option<&'static str>) {
+    let (past, [a, b]) = (sketch.px(PAST), line.at);
+    let (back, beyond) = (on_circle(a, past, line.along + PI), on_circle(b, past, line.along));
+    sketch.part("tangent").weight(Weight::Light).line(back, beyond, Pen::vector(TURNED).width(TANGENT));
+    right_angle(sketch, origin, [line.along + PI, line.turn]);
+    sketch.part("touching").marker(a, Marker::Disc, Role::A, MARKER);
+    sketch.part("touching").marker(b, Marker::Square, Role::B, MARKER);
+    if let Some(key) = name {
+        sketch.label(Label::new(key, format!("${key}$"), Anchor::tip(origin, beyond), TURNED));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figure::plan;
+    use crate::scene::open_text;
+
+    #[test]
+    fn both_lines_touch_both_bodies_and_pass_between_them_and_cross_there() {
+        for (place, r) in [("[5, 1]", 0.0), ("[4, -3.5]", 0.25), ("[-3, 5]", 1.0), ("[0.5, 4.5]", 0.5)] {
+            let text = format!(
+                "shapes.A = {{ kind = 'polygon', vertices = [[-2, -1], [1, -2], [2, 0], [-1, 2]] }}
+                shapes.B = {{ kind = 'box', half_extents = [1, 0.5], radius = {r}, angle_deg = 25,
+                    position = {place} }}
+                query = {{ kind = 'separation', of = ['A', 'B'] }}
+                panels = [{{ layers = ['shapes', 'separating-lines'] }}]"
+            );
+            let scene = open_text("lines", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let context = plan.panels[0].context(&scene, &plan.runs);
+            let found = cone(&context).unwrap();
+            let lines = lines(&context, &found).unwrap();
+            let x = crossing(&lines);
+            for line in &lines {
+                let n = on_circle(DVec2::ZERO, 1.0, line.turn);
+                // No point of A is beyond the line, none of B is before it, and both reach it.
+                let [a, b] = [(Side::A, n), (Side::B, -n)].map(|(s, n)| support(&context, s, n).unwrap());
+                assert!((a - x).dot(n).abs() < 1e-9 && (b - x).dot(n).abs() < 1e-9, "{place}");
+                assert!((line.at[1] - line.at[0]).perp_dot(n).abs() > 0.1, "{place}");
+            }
+            // Along n, A ends before the crossing and B begins after it.
+            let [a, b] = [(Side::A, found.normal), (Side::B, -found.normal)]
+                .map(|(s, n)| (support(&context, s, n).unwrap() - x).dot(found.normal));
+            assert!(a < 0.0 && b > 0.0, "{place}: {a} {b}");
+        }
+    }
+}
