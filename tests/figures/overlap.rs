@@ -96,28 +96,28 @@ fn clamps(seen: &Look, v: (f64, f64), closest: (f64, f64)) -> bool {
 #[test]
 fn figure_3_shows_v_its_clamped_components_and_the_distance() {
     let f = figure("03-circle-box");
-    let w = look(&f, 0, [-3.0, -3.1, 9.2, 5.9]);
-    let closest = (2.0, 2.3);
+    let w = look(&f, 0, [-5.2, -2.2, 9.2, 7.0]);
+    let closest = (3.8, 1.2);
     shows![
-        w.polygon(A, &[(-2.0, -2.3), (2.0, -2.3), closest, (-2.0, 2.3)]).is_some(),
-        w.circle(B, (6.8, 3.7), 2.0).is_some(),
-        clamps(&w, (6.8, 3.7), closest),
-        w.any_line((6.8, 0.0), (6.8, 3.7)),
-        w.any_line((0.0, 3.7), (6.8, 3.7)),
+        w.polygon(A, &[(-3.8, -1.2), (3.8, -1.2), closest, (-3.8, 1.2)]).is_some(),
+        w.circle(B, (6.2, 4.4), 2.4).is_some(),
+        clamps(&w, (6.2, 4.4), closest),
+        w.any_line((6.2, 0.0), (6.2, 4.4)),
+        w.any_line((0.0, 4.4), (6.2, 4.4)),
         w.text_near("$B_c$", closest, 40.0),
-        f.says("$V = (6.8, 3.7)$") && f.says("$V_x = 6.8$") && f.says("$V_y = 3.7$"),
+        f.says("$V = (6.2, 4.4)$") && f.says("$V_x = 6.2$") && f.says("$V_y = 4.4$"),
         f.says("cut to $h_x$") && f.says("cut to $h_y$"),
-        f.says("$h_x = 2$") && f.says("$h_y = 2.3$"),
-        f.says("$D = (4.8, 1.4)$"),
-        f.says("$r = 2$"),
-        f.says("distance $= 3$"),
+        f.says("$h_x = 3.8$") && f.says("$h_y = 1.2$"),
+        f.says("$D$"),
+        f.says("$r = 2.4$"),
+        f.says("distance $= 1.6$"),
     ];
-    // The part of D, (4.8, 1.4), that the circle leaves, 5 - 2, is thick; the radius goes another way.
-    let rim = (2.0 + 3.0 * 0.96, 2.3 + 3.0 * 0.28);
-    let out = 2.0 * std::f64::consts::FRAC_1_SQRT_2;
+    // The part of D, (2.4, 3.2), that the circle leaves, 4 - 2.4, is thick; the radius goes another way.
+    let rim = (3.8 + 1.6 * 0.6, 1.2 + 1.6 * 0.8);
+    let out = 2.4 * std::f64::consts::FRAC_1_SQRT_2;
     shows![
         w.line(Translation, closest, rim).is_some_and(thick),
-        w.line(B, (6.8, 3.7), (6.8 + out, 3.7 + out)).is_some(),
+        w.line(B, (6.2, 4.4), (6.2 + out, 4.4 + out)).is_some(),
     ];
 }
 
@@ -145,6 +145,9 @@ fn circle_circle_shows_centres_radii_and_the_shortfall() {
         // A unit vector, from B to A.
         two.arrow(Ink, (5.0, 0.0), (4.0, 0.0)),
         f.says("$N$") && f.says("$P = N p$") && f.says("$B$ pushed out"),
+        // Pushed out, the radii lie end to end.
+        two.horizontal(Ink, 0.0, 7.0) && two.horizontal(A, 0.0, 3.0) && two.horizontal(B, 3.0, 7.0),
+        f.says("$r_1 + r_2 = 7$"),
     ];
     let unit =
         |l: &super::seen::Look| super::seen::distance(l.panel.page((0.0, 0.0)), l.panel.page((1.0, 0.0)));
@@ -152,7 +155,7 @@ fn circle_circle_shows_centres_radii_and_the_shortfall() {
 }
 
 /// What both panels of `circle-circle` show, at one scale.
-const CIRCLES: [[f64; 4]; 2] = [[-3.45, -7.1, 9.45, 4.4], [-3.45, -7.1, 11.4, 4.4]];
+const CIRCLES: [[f64; 4]; 2] = [[-3.45, -7.4, 9.45, 4.4], [-3.45, -7.4, 12.185, 4.4]];
 
 #[test]
 fn box_box_lays_out_half_extents_gaps_and_centre_distance_axis_by_axis() {
@@ -184,39 +187,43 @@ fn box_box_lays_out_half_extents_gaps_and_centre_distance_axis_by_axis() {
 #[test]
 fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
     let f = figure("circle-obb");
-    let view = [-4.25, -3.4, 3.8, 5.9];
-    let vertices = [(-2.6, -1.5), (2.6, -1.5), (2.6, 1.5), (-2.6, 1.5)];
+    let view = [-4.05, -3.34, 4.05, 6.06];
+    let vertices = [(-2.8, -1.5), (2.8, -1.5), (2.8, 1.5), (-2.8, 1.5)];
     let tilted = vertices.map(turned);
-    // (-1.12, 4.16) in the world.
-    let center = turned((1.6, 4.0));
+    // (-0.8, 4.4) in the world.
+    let center = turned((2.0, 4.0));
     let world = look(&f, 0, view);
     shows![
         world.polygon(A, &tilted).is_some(),
-        world.circle(B, (-1.12, 4.16), 1.2).is_some(),
-        world.arrow_toward(Ink, (0.0, 0.0), center) && f.says("$V = (-1.12, 4.16)$"),
+        world.circle(B, (-0.8, 4.4), 1.2).is_some(),
+        world.arrow_toward(Ink, (0.0, 0.0), center) && f.says("$V = (-0.8, 4.4)$"),
         world.arrow(Muted, (0.0, 0.0), turned((3.1, 0.0))) && f.says("$x$ axis"),
         world.any_line((0.0, 0.0), (3.1, 0.0)),
         f.says("$36.9°$"),
     ];
-    let body = look(&f, 1, [-5.1, -2.95, 2.95, 6.35]);
+    let body = look(&f, 1, [-4.55, -3.4, 3.55, 6.0]);
+    let kept = |seen: &Look, x: (f64, f64), y: (f64, f64)| {
+        seen.line(A, (0.0, 0.0), x).is_some_and(thick) && seen.line(A, (0.0, 0.0), y).is_some_and(thick)
+    };
     shows![
         body.polygon(A, &vertices).is_some(),
-        body.circle(B, (1.6, 4.0), 1.2).is_some(),
-        body.arrow_toward(Ink, (0.0, 0.0), (1.6, 4.0)) && body.arrow(Muted, (0.0, 0.0), (0.0, 4.0)),
+        body.circle(B, (2.0, 4.0), 1.2).is_some(),
+        body.arrow_toward(Ink, (0.0, 0.0), (2.0, 4.0)) && body.arrow(Muted, (0.0, 0.0), (0.0, 4.0)),
         // V_y is cut, V_x stays.
-        body.line(A, (0.0, 0.0), (1.6, 0.0)).is_some_and(thick),
-        body.line(A, (0.0, 0.0), (0.0, 1.5)).is_some_and(thick),
-        body.marker(A, (1.6, 1.5)),
-        f.says("$h_x = 2.6$") && f.says("$h_y = 1.5$"),
+        kept(&body, (2.0, 0.0), (0.0, 1.5)),
+        body.marker(A, (2.0, 1.5)),
+        f.says("$h_x$") && f.says("$h_y$"),
+        f.texts.iter().any(|(t, _)| t.contains("$h_y = 1.5$") && t.contains("$h_x = 2.8$")),
     ];
     let back = look(&f, 2, view);
     // Of D = (0, 2.5) the circle takes 1.2.
-    let closest = turned((1.6, 1.5));
+    let closest = turned((2.0, 1.5));
     shows![
         back.polygon(A, &tilted).is_some(),
         back.marker(A, closest),
-        f.says("$V$") && f.says("$V_x = 1.6$") && f.says("$V_y = 4$"),
-        f.says("cut to $1.5$") && f.says("$B_c$"),
+        kept(&back, turned((2.0, 0.0)), turned((0.0, 1.5))),
+        f.says("$V$") && f.says("$V_x = 2$") && f.says("$V_y = 4$"),
+        f.says("cut to $h_y$") && f.says("$B_c$"),
         f.says("$r$"),
         f.says("$1.3$"),
     ];
