@@ -46,7 +46,8 @@ impl Declared {
             let name = one_name(&one.path);
             if taken.contains(&name) {
                 let message = format!("{} is another file of this project already", shown(&one.path));
-                return project.wrong(Fault::Conflict { message }, &handout.file.span);
+                let help = "give it another name".to_owned();
+                return project.wrong(Fault::Conflict { message, help }, &handout.file.span);
             }
             taken.push(name);
             all.push(one);
@@ -141,7 +142,8 @@ fn sheets(
         && let Some((key, span)) = keys.into_iter().find_map(|(key, span)| Some((key, span?)))
     {
         let message = format!("`{key}` is of sheets, and {} has none", format.name);
-        return project.wrong(Fault::Conflict { message }, span);
+        let help = format!("leave `{key}` out");
+        return project.wrong(Fault::Conflict { message, help }, span);
     }
     if let Some(paper) = said.paper.as_ref().filter(|paper| PAPERS.iter().all(|p| p.name != paper.value)) {
         let known = PAPERS.map(|paper| paper.name.to_owned()).to_vec();

@@ -314,7 +314,8 @@ pub(crate) fn known_theme(project: &OpenProject, word: &Spanned<String>) -> Resu
         let fault = match none {
             NoTheme::File(refused) => return Err(Unplanned::Refused(refused)),
             NoTheme::Said(said) if theme::is_file(&word.value) => {
-                Fault::Conflict { message: format!("the theme `{}`: {said}", word.value) }
+                let help = "`tracefig list themes` has those that are built in".to_owned();
+                Fault::Conflict { message: format!("the theme `{}`: {said}", word.value), help }
             }
             NoTheme::Said(_) => {
                 let known = theme::THEMES.iter().map(|theme| theme.name.to_owned()).collect();

@@ -41,7 +41,8 @@ pub(super) fn label_keys(scene: &Scene, runs: &Runs, panels: &[PanelPlan], probl
     for (i, (key, label)) in scene.labels.iter().enumerate() {
         if let Some(other) = meant[..i].iter().position(|&earlier| earlier == meant[i]) {
             let message = format!("`{}` and `{}` are the same label", scene.labels[other].0.value, key.value);
-            problems.push(Problem::new(scene::Fault::Conflict { message }.into(), key.span.clone()));
+            let help = "keep one of the two".to_owned();
+            problems.push(Problem::new(scene::Fault::Conflict { message, help }.into(), key.span.clone()));
         }
         let is_name = label.text.is_some() && of_names().any(|&k| k == meant[i]);
         if !is_name && !known.iter().any(|k| k == meant[i]) {

@@ -135,7 +135,8 @@ impl PanelPlan<'_> {
         let found = self.inset(sketched, None);
         if found.is_none() && *value != Detail::Small {
             let message = "the inset shows too much of its panel to be enlarged".to_owned();
-            return Err(scene::Problem::new(scene::Fault::Conflict { message }, span.clone()));
+            let help = "give it a smaller rectangle, `inset = [x0, y0, x1, y1]`".to_owned();
+            return Err(scene::Problem::new(scene::Fault::Conflict { message, help }, span.clone()));
         }
         Ok(found.map(|inset| (span, inset)))
     }

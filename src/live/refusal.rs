@@ -110,18 +110,18 @@ impl Refusal {
     /// The first problem: a sentence says one thing.
     fn first<F: Explain>(source: &Source, problems: &[Problem<F>], what: &str) -> Self {
         let body = problems.first().and_then(|problem| body(source, problem));
-        let why = problems.first().map(|problem| why(&problem.fault)).unwrap_or_default();
+        let why = problems.first().map(|problem| why(source, problem)).unwrap_or_default();
         Self::Wrong { what: body.unwrap_or_else(|| what.to_owned()), why }
     }
 }
 
 /// Why something can't be so, for who sees the picture and not the file.
-fn why(fault: &impl Explain) -> String {
+fn why<F: Explain>(source: &Source, Problem { fault, span }: &Problem<F>) -> String {
     if fault.code() == NOT_CONVEX {
         return "it would not be convex".to_owned();
     }
     // What would help stands behind a semicolon, and is for who writes the file.
-    fault.to_string().split("; ").next().unwrap_or_default().to_owned()
+    fault.told(source, span).split("; ").next().unwrap_or_default().to_owned()
 }
 
 /// The name of the body that a problem is about.

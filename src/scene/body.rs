@@ -120,7 +120,8 @@ fn only_one(table: &Checked<'_>, keys: &[&'static str], p: &mut Problems) {
     let Some((first, _)) = written.next() else { return };
     for (other, node) in written {
         let message = format!("`{first}` and `{other}` say the same: expected one of them, got both");
-        p.add(Fault::Conflict { message }, &node.span);
+        let help = format!("leave out `{first}` or `{other}`");
+        p.add(Fault::Conflict { message, help }, &node.span);
     }
 }
 

@@ -12,7 +12,8 @@ pub(super) fn read(query: &Checked<'_>, question: &Question, p: &mut Problems) -
     let table = check(node, "expected", EXPECTED.place, EXPECTED.fields, p)?;
     if question.bodies != Bodies::Two {
         let message = format!("`expected` does not apply to a `{}`", question.word);
-        p.add(Fault::Conflict { message }, &node.span);
+        let help = "leave it out: it goes with a question about two bodies".to_owned();
+        p.add(Fault::Conflict { message, help }, &node.span);
         return None;
     }
     let normal = table.pair("normal").and_then(|normal| {

@@ -57,7 +57,7 @@ const MEANT: &[(&str, &str)] = &[
     ("angular_velocity_deg", "omega spin angvel w angularspeed rotationspeed"),
     ("half_extents", "size extents halfsize halfwidth halfheight hx hy width height dimensions"),
     ("vertices", "verts points corners coordinates"),
-    ("points", "vertices ends endpoints p1 p2 a b"),
+    ("points", "vertices ends endpoints from to start end p0 p1 p2 p3 a b v1 v2 center1 center2"),
     ("edges", "sides n count vertices"),
     ("circumradius", "radius size"),
     ("radius", "r rad rounding skin margin polygonradius skinradius borderradius"),

@@ -64,7 +64,8 @@ fn panel(node: &Node, names: &[Spanned<String>], p: &mut Problems) -> Option<Pan
     let inset_at = table.text("inset_at");
     if let Some(corner) = inset_at.as_ref().filter(|_| table.get("inset").is_none()) {
         let message = "`inset_at` applies to a panel with an `inset`".to_owned();
-        p.add(Fault::Conflict { message }, &corner.span);
+        let help = "leave it out, or add `inset = \"small\"`".to_owned();
+        p.add(Fault::Conflict { message, help }, &corner.span);
     }
     let layers = table.get("layers").map(|node| layers(node, p));
     Some(Panel {
@@ -126,7 +127,8 @@ fn space(table: &Checked<'_>, names: &[Spanned<String>], p: &mut Problems) -> Op
         }
         (false, Some(frame)) => {
             let message = "`frame` applies to `space = \"body\"` only".to_owned();
-            p.add(Fault::Conflict { message }, &frame.span);
+            let help = "leave it out, or add `space = \"body\"`".to_owned();
+            p.add(Fault::Conflict { message, help }, &frame.span);
             None
         }
         (false, None) if word.is_some_and(|w| w.value == "configuration") => Some(Space::Configuration),
@@ -145,7 +147,8 @@ fn when(table: &Checked<'_>, p: &mut Problems) -> Option<Spanned<When>> {
     let step = table.count("step").map(|n| Spanned { value: When::Step(n.value), span: n.span });
     if let (Some(_), Some(step)) = (&time, &step) {
         let message = "a panel has a `time` or a `step`, not both".to_owned();
-        p.add(Fault::Conflict { message }, &step.span);
+        let help = "keep one of the two".to_owned();
+        p.add(Fault::Conflict { message, help }, &step.span);
     }
     time.or(step)
 }

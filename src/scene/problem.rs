@@ -121,6 +121,8 @@ pub enum Fault {
     Conflict {
         /// The whole sentence.
         message: String,
+        /// What would help.
+        help: String,
     },
     /// A shape that the scene doesn't have.
     UnknownBody {
@@ -244,7 +246,7 @@ impl fmt::Display for Fault {
             Self::NotUtf8 => f.write_str("expected UTF-8 text, got other bytes"),
             Self::Empty => f.write_str("expected a scene, got an empty file"),
             Self::BlankLine => f.write_str("expected a scene, got a blank line"),
-            Self::Syntax { message } | Self::Conflict { message } => f.write_str(message),
+            Self::Syntax { message } | Self::Conflict { message, .. } => f.write_str(message),
             Self::DuplicateKey { key } => write!(f, "the key `{key}` stands twice"),
             Self::OverLimit { what, limit, unit, got } => {
                 write!(f, "{what}: expected at most {limit} {unit}, got {got}")

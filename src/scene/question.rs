@@ -15,6 +15,7 @@ use super::fields::QUERY;
 use super::limits::{DEFAULT_ITERATIONS, DEFAULT_TOLERANCE, MAX_STEPS_OF_VERTICES};
 use super::node::Node;
 use super::problem::{Fault, Problems};
+use super::suggest::quoted;
 
 /// Reads the query; `None` where it, or a shape that it is of, is wrong.
 pub(super) fn read(node: &Node, shapes: &[body::Read], p: &mut Problems) -> Option<SceneQuery> {
@@ -81,7 +82,13 @@ fn names(table: &Checked<'_>, shapes: &[body::Read], p: &mut Problems) -> Option
         match shapes.iter().position(|s| s.name.value == name) {
             Some(i) if found.contains(&i) => {
                 let message = format!("`of`: expected different shapes, got `{name}` twice");
-                p.add(Fault::Conflict { message }, &item.span);
+                let others = shapes.iter().filter(|s| s.name.value != name).map(|s| s.name.value.clone());
+                let others: Vec<String> = others.collect();
+                let help = match &others[..] {
+                    [] => "add another body: [shapes.B]".to_owned(),
+                    _ => format!("the scene has {} besides", quoted(&others)),
+                };
+                p.add(Fault::Conflict { message, help }, &item.span);
                 all_known = false;
             }
             Some(i) => found.push(i),
@@ -124,7 +131,8 @@ fn numbers(bodies: Bodies) -> RangeInclusive<usize> {
 fn moment(question: &Question, table: &Checked<'_>, p: &mut Problems) {
     if let Some(time) = table.number("time").filter(|_| question.when == When::OverTheMotion) {
         let message = format!("`time` does not apply to a `{}`, which is about all of [0, 1]", question.word);
-        p.add(Fault::Conflict { message }, &time.span);
+        let help = "leave it out; a moment is a panel's: [[panels]] with `time`".to_owned();
+        p.add(Fault::Conflict { message, help }, &time.span);
     }
 }
 

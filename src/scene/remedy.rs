@@ -1,6 +1,6 @@
 //! What would help against what is wrong with a scene: every message ends in a line that says it.
 
-use crate::geometry::shape::{KINDS, Kind};
+use crate::geometry::shape::{KINDS, Kind, ShapeError};
 
 use super::elsewhere::elsewhere;
 use super::problem::Fault;
@@ -81,7 +81,6 @@ impl Fault {
                 "each body is a table of its own: [shapes.A]"
             }
             Self::NotFinite { .. } => "write a number; what an engine answered with `nan` is left out",
-            Self::Conflict { .. } => "leave out what is marked, or change what it does not go with",
             Self::UnsuitedAlgorithm { .. } => "without the key `algorithm` one is chosen that does",
             Self::UnsuitedShape { .. } => "ask it of another shape, or ask another question: `kind`",
             Self::MissingKey { key, .. } => return format!("add `{key}` there"),
@@ -90,16 +89,37 @@ impl Fault {
                 return format!("give `{key}` such a value, or leave it out where it need not be given");
             }
             Self::FixedAngle { .. } => "a `box` may turn",
-            Self::Shape(error) => {
-                return format!(
-                    "look at `{}`; `tracefig list shapes` has the keys of each kind",
-                    error.field
-                );
-            }
+            Self::Conflict { help, .. } => help,
+            Self::Shape(error) => match of_shape(error) {
+                Some(help) => help,
+                None => return format!("`tracefig list shapes` has what `{}` may be", error.field),
+            },
             Self::NotUtf8 | Self::Empty | Self::BlankLine | Self::TurningBody { .. } => "mend the file",
         };
         said.to_owned()
     }
+}
+
+/// What would help against values that make no shape; `None` where the message itself says it.
+fn of_shape(error: &ShapeError) -> Option<&'static str> {
+    Some(match (error.code, error.field) {
+        ("not-finite", _) => "write a number: what an engine writes as `nan` or `inf` has none",
+        ("too-large", _) => "measure in a larger unit: all of a scene by the same factor",
+        ("negative-radius", _) => "`radius = 0` is sharp; a hole has no shape",
+        ("negative-extent", _) => "half-extents are half the width and half the height, both above 0",
+        ("degenerate", "half_extents") => {
+            "a `capsule` with `points = [[-1, 0], [1, 0]]` and `radius = 0` is a segment"
+        }
+        ("degenerate", "circumradius") => "a `circle` with `radius = 0` is a point",
+        ("degenerate", _) => "a `capsule` with two `points` and `radius = 0` is a segment",
+        ("wrong-count", "points") => {
+            "a `capsule` has its two ends, as `points = [[-1, 0], [1, 0]]`; a `polygon` has `vertices`"
+        }
+        ("wrong-count", "edges") => "a `polygon` has as many `vertices` as are written",
+        ("too-few-corners", _) => "two vertices are a `capsule` with `radius = 0`, one is a `circle`",
+        ("not-simple", _) => "write the vertices in the order of the outline, each once",
+        _ => return None,
+    })
 }
 
 /// How a value of the type that is expected is written, in TOML as in JSON.
@@ -155,13 +175,21 @@ mod tests {
             Fault::WrongType { key: key(), expected: "x0 < x1".to_owned(), got: text() },
             Fault::NotFinite { key: key(), got: text() },
             Fault::OutOfRange { key: key(), expected: text(), got: text() },
-            Fault::Conflict { message: text() },
+            Fault::Conflict { message: text(), help: key() },
             Fault::UnknownBody { got: key(), known: known() },
             Fault::TurningBody { body: key() },
         ];
         for fault in all {
             assert!(fault.remedy().is_some_and(|help| !help.is_empty()), "{fault:?}");
         }
+        let conflict = Fault::Conflict { message: text(), help: key() };
+        assert_eq!(conflict.remedy().as_deref(), Some("time"));
+        let flat = crate::scene::open_text(
+            "s.toml",
+            "shapes.A = { kind = 'box', half_extents = [1, 0] }\nquery = { kind = 'bounds', of = ['A'] }",
+        );
+        let said = flat.unwrap_err().problems[0].fault.remedy().unwrap();
+        assert!(said.contains("`capsule`"), "a box without a height: {said}");
         assert_eq!(written("radius", "a number of 0 or more"), "`radius` is written as 1.5");
     }
 }

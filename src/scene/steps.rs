@@ -40,7 +40,8 @@ pub(super) fn step(node: &Node, before: &mut usize, p: &mut Problems) -> Option<
     let until = table.count("until");
     if let Some(until) = until.as_ref().filter(|until| until.value <= *before) {
         let message = format!("`until` goes on from step {before}: expected more, got {}", until.value);
-        p.add(Fault::Conflict { message }, &until.span);
+        let help = format!("the least is `until = {}`", *before + 1);
+        p.add(Fault::Conflict { message, help }, &until.span);
         return None;
     }
     *before = until.as_ref().map_or(*before + 1, |until| until.value);
@@ -48,7 +49,8 @@ pub(super) fn step(node: &Node, before: &mut usize, p: &mut Problems) -> Option<
     let skip = table.switch("skip").unwrap_or(false);
     if skip && let Some(words) = table.text("title").or_else(|| table.text("text")) {
         let message = "a step with `skip` is not told: expected no `title` and no `text`".to_owned();
-        p.add(Fault::Conflict { message }, &words.span);
+        let help = "leave the words out, or `skip`".to_owned();
+        p.add(Fault::Conflict { message, help }, &words.span);
     }
     Some(StepWords { until: until.map(|until| until.value), title: text("title"), text: text("text"), skip })
 }

@@ -77,6 +77,7 @@ fn check(scene: &Scene, runs: &Runs, exercise: &Exercise, problems: &mut Vec<Pro
             name.value,
             there(scene, runs)
         );
-        problems.push(Problem::new(scene::Fault::Conflict { message }.into(), name.span.clone()));
+        let help = format!("leave `{}` out of `ask`, or ask for what it has", name.value);
+        problems.push(Problem::new(scene::Fault::Conflict { message, help }.into(), name.span.clone()));
     }
 }

@@ -304,7 +304,9 @@ impl Reading<'_> {
             None if shapes.iter().any(|(n, _)| n.value == name) => {
                 let message =
                     format!("`{}`: expected a shape of the query, got `{name}`, which is context", self.key);
-                Err(Problem::new(Fault::Conflict { message }, span.clone()))
+                let known: Vec<String> = known.iter().map(|name| format!("`{name}`")).collect();
+                let help = format!("the query is of {}", known.join(" and "));
+                Err(Problem::new(Fault::Conflict { message, help }, span.clone()))
             }
             None => Err(Problem::new(Fault::UnknownBody { got: name.to_owned(), known }, span.clone())),
         }

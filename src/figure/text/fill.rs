@@ -54,7 +54,8 @@ pub(crate) fn fill(
             let fault = match givers(name, context) {
                 Some(givers) => {
                     let message = format!("this answer has no `{name}`: {givers}");
-                    scene::Fault::Conflict { message }
+                    let help = format!("leave `{{={name}}}` out of the text, or ask a question that has it");
+                    scene::Fault::Conflict { message, help }
                 }
                 None => {
                     scene::Fault::UnknownWord { what: "value", got: name.to_owned(), known: known(context) }
