@@ -85,6 +85,11 @@ pub enum Fault {
         /// The space that it shows, as a scene names it.
         space: &'static str,
     },
+    /// A chart that shares its panel with layers that show where things are.
+    SharedChart {
+        /// The name of the layer.
+        layer: &'static str,
+    },
     /// A layer that draws what this query does not give.
     UnfedLayer {
         /// The name of the layer.
@@ -202,7 +207,7 @@ impl Explain for Fault {
             Self::OutOfView { .. } => codes::OUT_OF_VIEW.code,
             Self::NoLayers => codes::NO_LAYERS.code,
             Self::EmptyView { .. } => codes::EMPTY_VIEW.code,
-            Self::UnsuitedLayer { .. } => codes::UNSUITED_LAYER.code,
+            Self::UnsuitedLayer { .. } | Self::SharedChart { .. } => codes::UNSUITED_LAYER.code,
             Self::UnfedLayer { .. } => codes::UNFED_LAYER.code,
             Self::BadMarkup { .. } => codes::BAD_MARKUP.code,
             Self::BadName { .. } => codes::BAD_NAME.code,
@@ -243,6 +248,9 @@ impl Explain for Fault {
                 Some(key.map_or_else(|| fonts.to_owned(), labels))
             }
             Self::UnsuitedLayer { space, .. } => Some(format!("such a panel has `space = \"{space}\"`")),
+            Self::SharedChart { layer } => {
+                Some(format!("give it a panel of its own: `[[panels]]` with `layers = [\"{layer}\"]`"))
+            }
             Self::OffPage { .. } => Some(
                 "give the panel a wider `view`, or none, or leave out the layer that draws it".to_owned(),
             ),
@@ -311,6 +319,9 @@ impl fmt::Display for Fault {
             Self::NoLayers => f.write_str("the panel stays empty: its list of layers has none"),
             Self::UnsuitedLayer { layer, space } => {
                 write!(f, "the layer `{layer}` is of the space `{space}`, and the panel of another")
+            }
+            Self::SharedChart { layer } => {
+                write!(f, "`{layer}` has axes of its own, and its lines would run through the other layers")
             }
             Self::UnfedLayer { layer, .. } => write!(f, "this scene can't feed the layer `{layer}`"),
             Self::BadName { name, shown, reason, .. } => {

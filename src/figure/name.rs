@@ -77,14 +77,25 @@ impl<'n> Name<'n> {
     /// The name as a term within a script, in LaTeX: a long one without its middle.
     #[must_use]
     pub(crate) fn script(self) -> String {
+        self.cut().map_or_else(|| self.term(), |cut| Name::words(&cut).term())
+    }
+
+    /// The name as markup, a long one without its middle: where the whole one stands beside it.
+    #[must_use]
+    pub(crate) fn shortened(self) -> String {
+        self.cut().map_or_else(|| self.primed(0), |cut| Name::words(&cut).primed(0))
+    }
+
+    /// The letters of a long name without its middle; none of a short one.
+    fn cut(self) -> Option<String> {
         let letters: Vec<char> = self.text.chars().collect();
         if letters.len() <= SCRIPT || self.is_formula {
-            return self.term();
+            return None;
         }
         let [head, tail] = KEPT;
         let head: String = letters.iter().take(head).collect();
         let tail: String = letters.iter().skip(letters.len() - tail).collect();
-        Name::words(&format!("{}…{}", head.trim_end(), tail.trim_start())).term()
+        Some(format!("{}…{}", head.trim_end(), tail.trim_start()))
     }
 
     /// The name as the script of a letter, in LaTeX: `v_A`, `v_{\text{bullet}}`.
@@ -148,6 +159,8 @@ mod tests {
         assert_eq!(Name::words("the crate 12").below("v"), r"v_{\text{the crate 12}}");
         assert_eq!(Name::words("the left crate 12").below("v"), r"v_{\text{the le…e 12}}");
         assert_eq!(Name::words("100%").point(1), r"p_{\text{100\%},1}");
+        assert_eq!(Name::words("the left crate 12").shortened(), "the le…e 12");
+        assert_eq!(["A", "bullet"].map(|name| Name::words(name).shortened()), ["$A$", "bullet"]);
     }
 
     #[test]

@@ -84,6 +84,7 @@ impl<'r, 's> Resolver<'r, 's> {
                 None => {}
             }
         }
+        self.charts_alone(&layers);
         // Else its lines would run through numbers and bodies.
         let (beneath, above): (Vec<_>, Vec<_>) =
             layers.into_iter().partition(|planned| layer::lies_beneath(planned.layer));
@@ -123,6 +124,15 @@ impl<'r, 's> Resolver<'r, 's> {
             reach: None,
             now: None,
         })
+    }
+
+    /// Tells of charts that share their panel: a line of theirs over the bodies says nothing true of those.
+    fn charts_alone(&mut self, layers: &[LayerPlan]) {
+        let placed: Vec<&LayerPlan> = layers.iter().filter(|l| !layer::is_placeless(l.layer)).collect();
+        for chart in placed.iter().filter(|l| layer::is_chart(l.layer) && placed.len() > 1) {
+            let fault = Fault::SharedChart { layer: chart.layer.name };
+            self.problems.push(Problem::new(fault, chart.span.clone()));
+        }
     }
 
     /// The panel's moment; `None`, with the reason told, where no answer can have it.
@@ -267,6 +277,25 @@ mod tests {
         let told: Vec<_> =
             warnings.iter().map(|p| (p.fault.code(), p.fault.severity(), p.span.start)).collect();
         assert_eq!(told, [("no-layers", Severity::Warning, text.rfind("[[panels]]").unwrap())]);
+    }
+
+    #[test]
+    fn a_chart_stands_in_a_panel_of_its_own() {
+        let refused = |layers: &str| {
+            let text = format!(
+                "shapes.A = {{ kind = 'circle', radius = 1, velocity = [4, 0] }}
+                shapes.B = {{ kind = 'box', half_extents = [1, 1], position = [3, 0] }}
+                query = {{ kind = 'time-of-impact', of = ['A', 'B'], algorithm = 'conservative-advancement' }}
+                panels = [{{ layers = [{layers}] }}]"
+            );
+            let scene = open_text("s.toml", &text).unwrap().scene;
+            let problems = plan(&scene).err().unwrap_or_default();
+            problems.iter().map(|p| text[p.span.clone()].to_owned()).collect::<Vec<_>>()
+        };
+        assert_eq!(refused("'graph'"), Vec::<String>::new());
+        assert_eq!(refused("'graph', { layer = 'note', lines = ['x'] }"), Vec::<String>::new());
+        assert_eq!(refused("'shapes', 'fastest-approach'"), ["'fastest-approach'"]);
+        assert_eq!(refused("'graph', 'fastest-approach'"), ["'graph'", "'fastest-approach'"]);
     }
 
     #[test]

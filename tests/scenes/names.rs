@@ -99,7 +99,10 @@ fn questions() -> [Value; 6] {
     ]
 }
 
-/// A scene of a question with two names, and every layer in a panel of each space.
+/// Layers that stand alone in their panel.
+const CHARTS: [&str; 2] = ["graph", "fastest-approach"];
+
+/// A scene of a question with two names, and every layer in a panel of each space or in one of its own.
 fn text(question: &Value, names: [&str; 2]) -> String {
     let mut shapes = Map::new();
     shapes.insert(names[0].to_owned(), question["a"].clone());
@@ -108,7 +111,10 @@ fn text(question: &Value, names: [&str; 2]) -> String {
     query["of"] = json!(names);
     let layers = |space: Shows| {
         let fits = |shows: Shows| shows == Shows::Anywhere || shows == space;
-        let named = LAYERS.iter().filter(|l| fits(l.shows) && l.name != "note").map(|l| json!(l.name));
+        let named = LAYERS
+            .iter()
+            .filter(|l| fits(l.shows) && l.name != "note" && !CHARTS.contains(&l.name))
+            .map(|l| json!(l.name));
         let mut layers: Vec<Value> = named.collect();
         layers.push(match space {
             Shows::Configuration => json!({"layer": "difference", "sources": true}),
@@ -119,6 +125,8 @@ fn text(question: &Value, names: [&str; 2]) -> String {
     let panels = json!([
         {"space": "world", "layers": layers(Shows::World)},
         {"space": "configuration", "layers": layers(Shows::Configuration)},
+        {"layers": [CHARTS[0]]},
+        {"layers": [CHARTS[1]]},
     ]);
     json!({"shapes": shapes, "query": query, "panels": panels}).to_string()
 }

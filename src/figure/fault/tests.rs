@@ -110,6 +110,11 @@ fn others() -> Vec<(Fault, &'static str, &'static str)> {
             "such a panel has `space = \"world\"`",
         ),
         (
+            Fault::SharedChart { layer: "graph" },
+            "`graph` has axes of its own, and its lines would run through the other layers",
+            "give it a panel of its own: `[[panels]]` with `layers = [\"graph\"]`",
+        ),
+        (
             Fault::UnfedLayer { layer: "one", needs: "a hit" },
             "this scene can't feed the layer `one`",
             "it needs a hit",

@@ -39,7 +39,8 @@ const SEEN: f64 = 1e-3;
 
 pub(super) const LAYER: Layer = Layer {
     name: "fastest-approach",
-    about: "the most that bodies can come nearer over time, by v·n and by turning, against their distance",
+    about: "the most that bodies can come nearer over time, by v·n and by turning, against their distance; \
+            in a panel of its own",
     shows: Shows::World,
     tells: Tells::Found,
     options: &[

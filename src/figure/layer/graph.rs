@@ -46,7 +46,7 @@ const VALUE_ASIDE: f64 = 46.0;
 
 pub(super) const LAYER: Layer = Layer {
     name: "graph",
-    about: "separation against time, with the steps of an advancement",
+    about: "separation against time, with the steps of an advancement; in a panel of its own",
     shows: Shows::World,
     tells: Tells::Found,
     options: &[

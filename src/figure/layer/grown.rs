@@ -77,12 +77,14 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
             sketch.arc(center, radius, start, sweep, Pen::outline(Role::Difference));
         }
     }
+    if options.flag("copies", true) {
+        copies(sketch.since(None), context, &outline_b, b);
+        // A lies on them, and has room for its name.
+        sketch.hidden_under(&outline_a);
+    }
     // On the page's own colour: its tint over that of the grown A would be a third one.
     sketch.since(None).part("body-A").area(&outline_a, Some(Wash::faint(Role::Background, 1.0)), None);
     sketch.area(&outline_a, Some(Wash::theme(Role::A)), Some(Pen::outline(Role::A)));
-    if options.flag("copies", true) {
-        copies(sketch, context, &outline_b, b);
-    }
     let around = if options.flag("around", false) {
         around(sketch, context, &found, &outline_b, b)
     } else {
@@ -101,7 +103,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let inside = Anchor::inside(&outline_a);
     sketch.label(Label::new("A", context.name(Side::A), inside, Role::A).rank(Rank::Name).size(Size::Name));
     name_grown(sketch, &grown, b);
-    let name = || format!("origin of {}", context.named(Side::B).primed(0));
+    let name = || format!("origin of {}", context.named(Side::B).shortened());
     sketch.label(
         Label::new("b", letter_of_b(context).unwrap_or_else(name), Anchor::point(b), Role::B)
             .rank(Rank::Point),
@@ -129,8 +131,8 @@ fn copies(sketch: &mut Sketch, context: &Context, outline_b: &Outline, b: DVec2)
     if let Some(copy) = last {
         let name = context.named(Side::B);
         let text = match letter_of_b(context) {
-            Some(letter) => format!("{} turned about {letter}", name.primed(0)),
-            None => format!("{} turned about its origin", name.primed(0)),
+            Some(letter) => format!("{} turned about {letter}", name.shortened()),
+            None => format!("{} turned about its origin", name.shortened()),
         };
         let label = Label::new("copy", text, Anchor::inside(&copy), Role::B);
         sketch.label(label.rank(Rank::Word).size(Size::Note));

@@ -201,6 +201,16 @@ pub(crate) fn is_key(key: &str) -> bool {
     LAYERS.iter().flat_map(|layer| layer.labels).any(|label| label.key == key)
 }
 
+/// Whether a layer is a chart: its lines stand for times and lengths, and for nothing where the bodies are.
+pub(super) fn is_chart(layer: &Layer) -> bool {
+    [graph::LAYER.name, fastest_approach::LAYER.name].contains(&layer.name)
+}
+
+/// Whether a layer shows no place of the panel's space, so that it can stand beside a chart.
+pub(super) fn is_placeless(layer: &Layer) -> bool {
+    layer.name == note::LAYER.name
+}
+
 /// Opacities of a series of `count`, evenly from the first to the last; of one, the last.
 fn fade([first, last]: [f64; 2], count: usize) -> impl Iterator<Item = f64> {
     let steps = u32::try_from(count.saturating_sub(1)).unwrap_or(u32::MAX);

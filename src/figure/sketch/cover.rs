@@ -3,7 +3,7 @@
 use crate::drawing::Point;
 use crate::geometry::DVec2;
 
-use super::Sketch;
+use super::{Outline, Sketch};
 
 /// How much labels mind what is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -65,11 +65,79 @@ impl Sketch<'_> {
         }
     }
 
+    /// Lets labels stand on what the current part drew in a convex area: something opaque will lie on it.
+    pub(crate) fn hidden_under(&mut self, area: &Outline) {
+        let area: Vec<Point> = area.sampled().iter().map(|&p| self.frame.page(p)).collect();
+        let part = self.part;
+        let (drawn, kept): (Vec<_>, Vec<_>) = self.obstacles.drain(..).partition(|o| o.part == part);
+        self.obstacles = kept;
+        for obstacle in drawn {
+            let Cover::Stroke { from, to, half } = obstacle.cover else {
+                self.obstacles.push(obstacle);
+                continue;
+            };
+            let seen = outside((from, to), &area).into_iter();
+            let seen =
+                seen.map(|(from, to)| Obstacle { cover: Cover::Stroke { from, to, half }, ..obstacle });
+            self.obstacles.extend(seen);
+        }
+    }
+
     /// Makes labels keep off something of the current part.
     pub(super) fn keep_off(&mut self, cover: Cover) {
         if self.is_full() {
             return;
         }
         self.obstacles.push(Obstacle { cover, weight: self.weight, part: self.part });
+    }
+}
+
+/// The pieces of a line outside of a convex area: none, one or two.
+fn outside((from, to): (Point, Point), area: &[Point]) -> Vec<(Point, Point)> {
+    let edges = || area.iter().copied().zip(area.iter().copied().cycle().skip(1));
+    let turn: f64 = edges().map(|(p, q)| p.x * q.y - q.x * p.y).sum();
+    // The part of the way, from 0 to 1, that is on the inner side of every edge so far.
+    let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
+    for (p, q) in edges() {
+        let inner = (q - p).left() * -turn.signum();
+        let [at_start, at_end] = [from, to].map(|end| (end - p).dot(inner));
+        if at_start.max(at_end) <= 0.0 {
+            return vec![(from, to)];
+        }
+        let crossing = at_start / (at_start - at_end);
+        if at_start < 0.0 {
+            enters = enters.max(crossing);
+        } else if at_end < 0.0 {
+            leaves = leaves.min(crossing);
+        }
+    }
+    if enters >= leaves {
+        return vec![(from, to)];
+    }
+    let at = |share: f64| from + (to - from) * share;
+    let pieces = [(enters > 0.0).then(|| (from, at(enters))), (leaves < 1.0).then(|| (at(leaves), to))];
+    pieces.into_iter().flatten().collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_a_line_through_an_area_the_pieces_outside_stay() {
+        let p = Point::new;
+        let round = [p(0.0, 0.0), p(4.0, 0.0), p(4.0, 4.0), p(0.0, 4.0)];
+        let mut other = round;
+        other.reverse();
+        for area in [round, other] {
+            let line = |x0: f64, x1: f64, y: f64| outside((p(x0, y), p(x1, y)), &area);
+            assert_eq!(line(-1.0, 5.0, 2.0), [(p(-1.0, 2.0), p(0.0, 2.0)), (p(4.0, 2.0), p(5.0, 2.0))]);
+            assert_eq!(line(1.0, 5.0, 2.0), [(p(4.0, 2.0), p(5.0, 2.0))]);
+            assert_eq!(line(1.0, 3.0, 2.0), []);
+            assert_eq!(line(-1.0, 5.0, 5.0), [(p(-1.0, 5.0), p(5.0, 5.0))]);
+            assert_eq!(line(5.0, 6.0, 2.0), [(p(5.0, 2.0), p(6.0, 2.0))]);
+            let corner = (p(-1.0, 3.5), p(1.0, 5.5));
+            assert_eq!(outside(corner, &area), [corner], "past a corner");
+        }
     }
 }

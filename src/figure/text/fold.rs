@@ -10,6 +10,8 @@ const SHORT: f64 = 4.0;
 /// A word beside what is clear already stays on one line if it is shorter than this, in ems: longer than all
 /// that a layer says by itself, so that what is folded has a long name in it.
 const WORDY: f64 = 10.0;
+/// A letter with its script is longer than this, in ems.
+const SCRIPTED: f64 = 1.5;
 /// Most lines of a name; with more it would be read as a paragraph.
 const MOST: usize = 3;
 /// Lines are as short as they can be up to this, in ems.
@@ -46,10 +48,10 @@ pub(super) fn folds(line: &Line, style: Style) -> Vec<Fold> {
 pub(super) fn chain(set: &Line, style: Style) -> Option<Fold> {
     let (sum, result) = set.markup.rsplit_once(" = ")?;
     let first = before_the_cut(set, style, sum)?;
-    // What has no equals sign before is one letter mostly: that is no line.
-    let is_long = || first.width >= SHORT * style.size;
+    // What has no equals sign before is one letter mostly, which is no line; with a script it is.
+    let has_script = || first.width >= SCRIPTED * style.size;
     let formula = sum.rsplit_once('$')?.1;
-    let is_chain = formula.contains('=') || !formula.is_empty() && is_long();
+    let is_chain = formula.contains('=') || !formula.is_empty() && has_script();
     let result = line(&format!("$= {result}"), style).ok().filter(|_| is_chain)?;
     Some(Fold { lines: vec![first, result], cut: Cut::InSum })
 }
@@ -153,6 +155,7 @@ mod tests {
         assert_eq!(lines("$d = a + b = 12345$").unwrap(), ["$d = a + b$", "$= 12345$"]);
         let product = r"$r_{\text{crate}}|\omega_{\text{crate}}| = 3.28$";
         assert_eq!(lines(product).unwrap(), [r"$r_{\text{crate}}|\omega_{\text{crate}}|$", "$= 3.28$"]);
+        assert_eq!(lines(r"$x_{\min} = -123.5$").unwrap(), [r"$x_{\min}$", "$= -123.5$"]);
         for whole in [
             "overlap $= 3.712345678$",
             "$d = 123456789$",

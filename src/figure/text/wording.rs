@@ -7,11 +7,11 @@ use crate::figure::context::Context;
 use crate::figure::fault::{Fault, Problem};
 use crate::figure::language::Language;
 use crate::figure::lettering::{role_words, unknown, with_markers};
-use crate::figure::placement::{Reserve, Sought};
-use crate::figure::sketch::{Anchor, Rank, Request, Size};
+use crate::figure::placement::{Fold, Reserve, Sought};
+use crate::figure::sketch::{Anchor, Label, Rank, Request, Size};
 use crate::figure::standing::standing;
 use crate::scene;
-use crate::typeset::{self, Style, TypesetError};
+use crate::typeset::{self, Line, Style, TypesetError};
 
 use super::decimal::Decimal;
 use super::fill::fill;
@@ -82,17 +82,7 @@ impl Wording<'_> {
             typeset::line(&filled, style).map_err(|e| of_label(e, filled.clone()))
         };
         let lines = lines.iter().map(&mut set).collect::<Result<Vec<_>, _>>()?;
-        let folds = match &lines[..] {
-            [line] if matches!(label.anchor, Anchor::Inside { .. }) => folds(line, style),
-            [line] if label.rank == Rank::Point => {
-                folds(line, style).into_iter().chain(difference(line, style)).collect()
-            }
-            [line] if label.rank == Rank::Word => {
-                wordy(line, style).into_iter().chain(difference(line, style)).collect()
-            }
-            [line] if label.rank == Rank::Measure => chain(line, style).into_iter().collect(),
-            _ => Vec::new(),
-        };
+        let folds = if let [line] = &lines[..] { folds_of(label, line, style) } else { Vec::new() };
         Ok(Some(Sought {
             key: label.key,
             lines,
@@ -129,6 +119,20 @@ pub(crate) fn check_texts<'r>(
         }
     }
     Ok(())
+}
+
+/// The ways to set the one line of a label on several, by what it is.
+fn folds_of(label: &Label, line: &Line, style: Style) -> Vec<Fold> {
+    match label.rank {
+        _ if matches!(label.anchor, Anchor::Inside { .. }) => folds(line, style),
+        Rank::Point => {
+            let formulas = difference(line, style).into_iter().chain(chain(line, style));
+            folds(line, style).into_iter().chain(formulas).collect()
+        }
+        Rank::Word => wordy(line, style).into_iter().chain(difference(line, style)).collect(),
+        Rank::Measure => chain(line, style).into_iter().collect(),
+        _ => Vec::new(),
+    }
 }
 
 /// A value that a text at `at` names and this answer lacks.

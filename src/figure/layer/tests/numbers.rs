@@ -8,7 +8,7 @@ use tracefig_reference::random::Random;
 use crate::collision::naive::{self, Claim};
 use crate::collision::{ALGORITHMS, Answer, Outcome, Query, QueryKind, Separation, When as Asked};
 use crate::figure::context::Context;
-use crate::figure::layer::{LAYERS, Shows};
+use crate::figure::layer::{LAYERS, Layer, Shows, is_chart};
 use crate::figure::{plan, random_scenes};
 use crate::geometry::{Body, DVec2, Side};
 use crate::scene::{LayerSpec, Panel, Scene, Source, Space, Spanned, Value, When, read};
@@ -65,7 +65,16 @@ fn at_all_moments(seed: u64, mut scene: Scene) -> Scene {
         let panel = Panel { when: Some(spanned(**when, 0)), layers: Some(vec![]), ..scene.panels[0].clone() };
         plan(&Scene { panels: vec![panel], ..scene.clone() }).is_ok()
     };
-    scene.panels = whens.iter().filter(exists).enumerate().map(panel).collect();
+    let charts = LAYERS.iter().filter(|layer| is_chart(layer)).zip(whens.len()..);
+    let alone = charts.map(|(layer, i)| Panel {
+        layers: Some(vec![LayerSpec {
+            name: spanned(layer.name.to_owned(), 100 * (i + 1)),
+            options: vec![],
+        }]),
+        ..panel((0, &When::Start))
+    });
+    let alone: Vec<Panel> = alone.collect();
+    scene.panels = whens.iter().filter(exists).enumerate().map(panel).chain(alone).collect();
     scene
 }
 
@@ -99,7 +108,8 @@ fn every_layer(space: &Space, panel: usize) -> Vec<LayerSpec> {
         };
         LayerSpec { name: spanned(name.to_owned(), place), options }
     };
-    LAYERS.iter().filter(|l| fits(l.shows)).map(|l| l.name).enumerate().map(spec).collect()
+    let beside = |layer: &&Layer| fits(layer.shows) && !is_chart(layer);
+    LAYERS.iter().filter(beside).map(|l| l.name).enumerate().map(spec).collect()
 }
 
 /// The pair's separation at a time, by the last algorithm that answers: figures use the first.

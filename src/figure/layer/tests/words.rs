@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use crate::drawing::Item;
+use crate::figure::name::Name;
 use crate::figure::{Figure, draw, plan, random_scenes};
 use crate::scene::{Scene, Spanned, open, open_text};
 use crate::typeset::{Piece, pieces};
@@ -29,6 +30,7 @@ fn words_of_ours(scene: &Scene, figure: &Figure) -> Vec<String> {
     let mut names: Vec<String> = scene.shapes.iter().map(|(name, _)| name.value.clone()).collect();
     names.extend(scene.shapes.iter().flat_map(|(name, _)| name.value.split(' ').map(str::to_owned)));
     names.extend(scene.shapes.iter().map(|(name, _)| name.value.replace(' ', "")));
+    names.extend(scene.shapes.iter().map(|(name, _)| Name::words(&name.value).shortened()));
     names.sort_by_key(|name| std::cmp::Reverse(name.len()));
     // What the scene says is in its own words.
     let is_given =
