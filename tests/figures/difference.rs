@@ -87,15 +87,17 @@ fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green
     let turned = |x: f64, y: f64| (0.96 * x - 0.28 * y, 0.28 * x + 0.96 * y);
     let outline = [(-2.5, -1.25), (2.5, -1.25), (2.5, 1.25), (-2.5, 1.25)].map(|(x, y)| turned(x, y));
     let of_b = [(-1.1, 0.25), (1.9, 0.25), (1.9, 2.75), (-1.1, 2.75)].map(|(x, y)| turned(x, y));
-    let [b_1, b_2, ..] = of_b;
+    let ([b_0, b_1, ..], [.., a_2, a_3]) = (of_b, outline);
     shows![
         world.polygon(A, &outline).is_some(),
         world.polygon(B, &of_b).is_some(),
         // From the middle of what the parallel edges share, by 1 along (-7, 24)/25.
         world.arrow(Translation, turned(0.4, 0.25), turned(0.4, 1.25)),
         // Both vertices are equally deep.
+        world.marker(B, b_0) && world.text_near("$b_0$", b_0, 40.0),
         world.marker(B, b_1) && world.text_near("$b_1$", b_1, 40.0),
-        world.marker(B, b_2) && world.text_near("$b_2$", b_2, 40.0),
+        world.marker(A, a_2) && world.text_near("$a_2$", a_2, 40.0),
+        world.marker(A, a_3) && world.text_near("$a_3$", a_3, 40.0),
     ];
     let conf = look(&f, 1, [-5.17, -2.55, 5.03, 5.45]);
     let edges = [
@@ -116,8 +118,10 @@ fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green
         conf.emphasised(A, turned(-0.6, -1.0), turned(4.4, -1.0)),
         f.texts.iter().filter(|(t, _)| t == "$d = 1$").count() == 2,
         f.says(r"$B \ominus A$") && f.says("$O$"),
-        conf.text_near("edge of $B$", turned(-2.1, -1.0), 60.0),
-        conf.text_near("edge of $A$, reversed", turned(1.9, -1.0), 80.0),
+        // What the ends of both parts come from.
+        conf.text_near("$b_0 - a_2$", turned(-3.6, -1.0), 60.0),
+        conf.text_near("$b_1 - a_2$", turned(-0.6, -1.0), 60.0),
+        conf.text_near("$b_1 - a_3$", turned(4.4, -1.0), 60.0),
     ];
 }
 

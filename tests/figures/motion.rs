@@ -101,19 +101,19 @@ fn figure_6_steps_from_the_estimate_to_the_tangent_and_starts_again_there() {
 #[test]
 fn figure_7_adds_up_the_fastest_approach_and_shows_what_is_left_at_the_bound() {
     let f = figure("07-conservative-bound");
-    let [moving, turning, then, at_last] = [0, 1, 2, 3].map(|k| look(&f, k, [-5.4, -3.3, 7.0, 3.55]));
+    let [moving, turning, then, at_last] = [0, 1, 2, 3].map(|k| look(&f, k, [-5.1, -2.9, 6.7, 3.2]));
     let shape_a = [(1.0, -1.6), (1.0, 1.4), (-0.4, 2.2), (-2.2, 1.0), (-1.8, -2.4)];
     let shape_b = [(-2.0, 0.3), (-1.0, -1.7), (2.0, -1.5), (1.9, 0.9), (0.0, 1.8)];
     let turned = |(c, s): P| move |(x, y): P| (c * x - s * y, s * x + c * y);
-    // cos and sin of 0.5 · 0.4, of -0.4, and of both angles at the hit, t = 0.777972598205.
-    let t = 0.777_972_598_205;
-    let [a, a_hit] = [(0.980_066_577_841, 0.198_669_330_795), (0.925_293_981_916, 0.379_250_638_801)]
+    // cos and sin of 0.5 · 0.4, of -0.4, and of both angles at the hit, t = 0.749106904340.
+    let t = 0.749_106_904_340;
+    let [a, a_hit] = [(0.980_066_577_841, 0.198_669_330_795), (0.930_671_087_336, 0.365_856_976_422)]
         .map(|angle| shape_a.map(turned(angle)));
-    let [b, b_hit] = [(0.921_060_994_003, -0.389_418_342_309), (0.712_337_905_938, -0.701_836_667_440)]
+    let [b, b_hit] = [(0.921_060_994_003, -0.389_418_342_309), (0.732_297_345_606, -0.680_985_020_113)]
         .map(|angle| shape_b.map(turned(angle)));
     let (at_a, at_b) = ((-2.2, 0.5), (4.0, 0.0));
     // A's vertex (1, -1.6) then, on B's edge.
-    let contact = (0.888_040_200_408, 0.176_752_865_941);
+    let contact = (0.814_256_058_292, -0.248_663_311_145);
     for now in [&moving, &turning] {
         shows![
             now.polygon(A, &moved(shape_a, at_a)).is_some_and(|p| p.fill.is_some()),
@@ -123,26 +123,28 @@ fn figure_7_adds_up_the_fastest_approach_and_shows_what_is_left_at_the_bound() {
     shows![
         // From A's edge to B's vertex; both velocities.
         moving.along(Translation, (-1.2, 0.3), (2.0, 0.3)),
-        moving.arrow(Ink, at_a, (-0.2, 1.5)) && moving.arrow(Ink, at_b, (2.0, -0.5)),
+        moving.arrow(Ink, at_a, (-0.2, 1.0)) && moving.arrow(Ink, at_b, (2.0, -0.5)),
         // The farthest vertices, 3 and 2.5 out, and the way that either turns.
         turning.line(A, at_a, (-4.0, -1.9)).is_some() && turning.line(B, at_b, (6.0, -1.5)).is_some(),
         turning.round(at_a, 0.6) && turning.round(at_b, 0.6),
-        then.polygon(A, &moved(a, (-1.4, 0.9))).is_some_and(|p| p.fill.is_some()),
+        then.polygon(A, &moved(a, (-1.4, 0.7))).is_some_and(|p| p.fill.is_some()),
         then.polygon(B, &moved(b, (3.2, -0.2))).is_some_and(|p| p.fill.is_some()),
         // From A's vertex to the foot on B's edge.
-        then.along(Translation, (-0.102_062_493, -0.469_437_194), (1.552_404_251, -0.363_991_916)),
-        at_last.polygon(A, &moved(a_hit, (2.0 * t - 2.2, t + 0.5))).is_some_and(|p| p.fill.is_some()),
+        then.along(Translation, (-0.102_062_493, -0.669_437_194), (1.565_099_422, -0.563_182_806)),
+        at_last.polygon(A, &moved(a_hit, (2.0 * t - 2.2, 0.5 * t + 0.5))).is_some_and(|p| p.fill.is_some()),
         at_last.polygon(B, &moved(b_hit, (4.0 - 2.0 * t, -0.5 * t))).is_some_and(|p| p.fill.is_some()),
+        at_last.polygon(A, &moved(shape_a, at_a)).is_some_and(dashed),
+        at_last.polygon(B, &moved(shape_b, at_b)).is_some_and(dashed),
         at_last.marker(Ink, contact),
         f.says("$d = 3.2$"),
         f.says("$x_1$, $x_2$") && f.says("$r_A = 3$") && f.says("$r_B = 2.5$"),
         f.says(r"$\omega_A = 0.5$") && f.says(r"$\omega_B = -1$"),
-        f.says("$v_A$ $= (2, 1)$") && f.says("$v_B$ $= (-2, -0.5)$"),
+        f.says("$v_A$ $= (2, 0.5)$") && f.says("$v_B$ $= (-2, -0.5)$"),
         // 2 + 2 along x by moving, 3 · 0.5 + 2.5 · 1 by turning; 3.2 / 8 = 0.4, and what is left then.
-        f.texts.iter().any(|(t, _)| t.contains("close 4 in a unit of time")),
+        f.texts.iter().any(|(t, _)| t.contains("nearer by 4 in a unit of time")),
         f.texts.iter().any(|(t, _)| t.contains(r"r_B|\omega_B| = 4$ at most")),
         f.texts.iter().any(|(t, _)| t.contains("$4 + 4 = 8$") && t.contains("d / 8 = 0.4$")),
-        f.texts.iter().filter(|(t, _)| t.replace('$', "") == "1.66 left").count() == 1,
+        f.texts.iter().filter(|(t, _)| t.replace('$', "") == "1.67 left").count() == 1,
     ];
 }
 

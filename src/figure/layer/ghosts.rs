@@ -86,6 +86,12 @@ pub(super) const LAYER: Layer = Layer {
             about: "the way of the body's origin between here and there, in the order of time",
         },
         OptionSpec {
+            name: "centers",
+            takes: Takes::Flag,
+            default: "false",
+            about: "at every step, marks the body's origin",
+        },
+        OptionSpec {
             name: "numbered",
             takes: Takes::Flag,
             default: "false",
@@ -294,6 +300,7 @@ fn steps(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) 
             // Bodies that are there are all as much there, and named alike.
             let pen = Some(if solid { pen } else { pen.opacity(opacity) });
             sketch.part(part("ghost", side)).weight(Weight::Light).area(&outline, wash, pen);
+            center(sketch, context, options, (side, time));
             let label = Label::new("then", then(step, time), Anchor::inside(&outline), role).rank(Rank::Word);
             sketch.label(if solid && numbered {
                 Label { lines: vec![at(then(step, time))], ..label }.size(Size::Note)
@@ -308,5 +315,13 @@ fn steps(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) 
         let text =
             if numbered { vec![at(then(count, last))] } else { at_moment(context, side, &number(last)) };
         ghost(sketch, options, side, &outline, text);
+        center(sketch, context, options, (side, last));
+    }
+}
+
+/// Marks the origin of a body at a step, if the scene wants it: about it the body turns.
+fn center(sketch: &mut Sketch, context: &Context, options: &Options, (side, time): (Side, f64)) {
+    if let Some(pose) = context.pose(side, time).filter(|_| options.flag("centers", false)) {
+        sketch.part(part("center", side)).marker(pose.position, Marker::Disc, Role::Ink, SMALL_MARKER);
     }
 }
