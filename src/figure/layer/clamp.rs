@@ -6,7 +6,8 @@
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{
-    Anchor, HEAD_LENGTH, LARGE_MARKER, Label, MARKER, Marker, Outline, Pen, Rank, Sketch, Wash, Weight,
+    Anchor, HEAD_LENGTH, HEAD_WIDTH, LARGE_MARKER, Label, MARKER, Marker, Outline, Pen, Rank, Sketch, Wash,
+    Weight,
 };
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Pose, Side};
@@ -94,8 +95,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
     // Both in the frame of the panel, so that D is V less what is kept of it in the world as well.
     let seen = |v: DVec2| context.in_space(v) - context.in_space(DVec2::ZERO);
-    // V and D end at the circle's centre: their heads stop short of it, and V's behind D's.
-    let behind = if shows("D") && c.d.length() > 0.0 { MARKER + HEAD_LENGTH } else { MARKER };
+    // V and D end at the circle's centre: their heads stop short of it, V's behind D's where they would meet.
+    let behind = if shows("D") && heads_meet(c.v, c.d) { MARKER + HEAD_LENGTH } else { MARKER };
     if shows("V") {
         let (from, tip) = (c.pose.position, c.pose.point(c.v));
         sketch.since(at(parts::WAY)).part("V").arrow_to(from, tip, behind, Pen::vector(Role::Ink));
@@ -124,6 +125,12 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         };
         sketch.label(Label::new("B_c", text, Anchor::point(c.closest), Role::Ink).rank(Rank::Point));
     }
+}
+
+/// Whether the heads of two arrows to one point meet: their backs are nearer to each other than one is wide.
+fn heads_meet(v: DVec2, d: DVec2) -> bool {
+    let sine = v.perp_dot(d).abs() / (v.length() * d.length());
+    d.length() > 0.0 && (v.dot(d) > 0.0 && sine * (MARKER + HEAD_LENGTH) < HEAD_WIDTH)
 }
 
 /// The label of a vector, with its components where the scene wants them.

@@ -11,6 +11,7 @@ use crate::geometry::{DVec2, Side};
 
 use super::difference::draw_edge;
 use super::edge_fan::{Merged, merged};
+use super::half_extents::ON_LINE;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of, part};
 
 /// Opacity of the edge that is not taken.
@@ -73,7 +74,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let role = Role::from(edge.taken);
         sketch.since(edge.cue).part(part("taken", edge.taken));
         draw_edge(sketch, edge.taken, (from, to), Pen::outline(role));
-        let label = Label::new("step", k.to_string(), Anchor::middle(from, to), role);
+        // Outside, where nothing else of B ⊖ A is.
+        let outside = Anchor::Beside { from: to, to: from, offset: ON_LINE };
+        let label = Label::new("step", k.to_string(), outside, role);
         sketch.label(label.rank(Rank::Word).size(Size::Note));
     }
     for edge in &all[..before] {

@@ -4,7 +4,9 @@
 use crate::collision::Separation;
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{Anchor, Label, Outline, Pen, Rank, Size, Sketch, Wash, Weight, on_circle};
+use crate::figure::sketch::{
+    Anchor, Label, Marker, Outline, Pen, Rank, SMALL_MARKER, Size, Sketch, Wash, Weight, on_circle,
+};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side, perp};
 use crate::trace::Event;
@@ -239,7 +241,6 @@ struct Length {
 /// depth.
 fn lengths(sketch: &mut Sketch, context: &Context, touching: bool) {
     let Some(compared) = compared(context) else { return };
-    let bodies = compared.centers;
     let compared = if touching { compared.touching() } else { compared };
     let Compared { centers, radii, answer, .. } = compared;
     let n = answer.normal;
@@ -270,7 +271,9 @@ fn lengths(sketch: &mut Sketch, context: &Context, touching: bool) {
             l.ends.iter().any(|end| end.distance(point) <= f64::EPSILON * radii[0].max(radii[1]))
         })
     };
-    for point in [centers[0], centers[1], answer.points[0], answer.points[1]] {
+    let [p, q] = answer.points;
+    let points = [centers[0], centers[1], p, q];
+    for &point in &points[..if touching { 3 } else { 4 }] {
         let deepest = last(point).unwrap_or(tracks.len() - 1);
         let out = down * (radii[0].max(radii[1]) + sketch.px(TRACK * (number_of(deepest) + FIRST)));
         // Below both discs, through which no line need run.
@@ -278,13 +281,16 @@ fn lengths(sketch: &mut Sketch, context: &Context, touching: bool) {
             let beside = (point - center).dot(*n);
             (radius * radius - beside * beside).max(0.0).sqrt()
         };
-        let discs = centers.iter().chain(&bodies).zip(radii.iter().cycle());
-        let start = discs.map(|(&center, &radius)| rim(center, radius)).fold(0.0, f64::max);
+        let below = centers.iter().zip(radii).map(|(&center, radius)| rim(center, radius));
+        let start = below.fold(0.0, f64::max);
         sketch.part("lengths").weight(Weight::Light).line(
             point + down * start,
             point + out,
             Pen::extension().opacity(GUIDE),
         );
+    }
+    if touching {
+        sketch.part("touch").marker(p, Marker::Disc, Role::Ink, SMALL_MARKER);
     }
 }
 

@@ -16,24 +16,36 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{
-    Anchor, Label, MARKER, Marker, Outline, Pen, SMALL_MARKER, Sketch, Wash, Weight, on_circle,
+    Anchor, Label, MARKER, Marker, Outline, Pen, SMALL_MARKER, Sketch, Wash, Weight, angle_of, on_circle,
 };
-use crate::geometry::{DVec2, Side};
+use crate::geometry::{DVec2, Side, perp};
 
 use super::separating_cone::{Cone, FILL, NAMES, PAST, TANGENT, TURNED, cone, fitting_radius, right_angle};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
+
+/// The words of the option `show`.
+const PARTS: [&str; 2] = ["line", "cone"];
 
 pub(super) const LAYER: Layer = Layer {
     name: "separating-lines",
     about: "the lines between the bodies that touch both, with the cone of directions that separate them",
     shows: Shows::World,
     tells: Tells::Found,
-    options: &[OptionSpec {
-        name: "names",
-        takes: Takes::Flag,
-        default: "false",
-        about: "names both lines, and each end of the cone by the line that it is square to",
-    }],
+    options: &[
+        OptionSpec {
+            name: "names",
+            takes: Takes::Flag,
+            default: "false",
+            about: "names both lines, and each end of the cone by the line that it is square to",
+        },
+        OptionSpec {
+            name: "show",
+            takes: Takes::Words(&PARTS),
+            default: "all",
+            about: "which parts: the direction of the greatest gap with a line square to it; the two \
+                lines with the cone",
+        },
+    ],
     labels: &[
         LabelKey { key: "n", about: "the direction of the greatest gap" },
         LabelKey { key: "t_1", about: "the line square to the cone's first end, with names" },
@@ -91,11 +103,25 @@ fn crossing([p, q]: &[Touching; 2]) -> DVec2 {
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(found) = cone(context) else { return };
     let Some(lines) = lines(context, &found) else { return };
-    let (role, names) = (options.role(Role::Translation), options.flag("names", false));
     sketch.since(context.separation_at(context.time).map(|run| run.end()));
     let origin = crossing(&lines);
     let nearest = support(context, Side::B, -found.normal).unwrap_or(origin);
     let radius = fitting_radius(sketch, found.normal.dot(nearest - origin));
+    let [line, cone] = PARTS.map(|part| options.shows("show", part, true));
+    if cone {
+        fan(sketch, options, &lines, (origin, radius));
+    }
+    if line {
+        between(sketch, context, origin, found.normal);
+        let tip = origin + found.normal * radius;
+        sketch.part("direction").arrow(origin, tip, Pen::vector(Role::Ink));
+        sketch.label(Label::new("n", "$n$", Anchor::tip(origin, tip), Role::Ink));
+    }
+}
+
+/// Draws both lines that touch the bodies and the cone between the directions square to them.
+fn fan(sketch: &mut Sketch, options: &Options, lines: &[Touching; 2], (origin, radius): (DVec2, f64)) {
+    let (role, names) = (options.role(Role::Translation), options.flag("names", false));
     let sector = Outline::sector(origin, radius, lines[0].turn, lines[1].turn - lines[0].turn);
     sketch.part("cone").area(&sector, Some(Wash::faint(role, FILL)), None);
     for (line, [tangent, name]) in lines.iter().zip(NAMES) {
@@ -106,10 +132,20 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
             sketch.label(Label::new(name, format!("${name}$"), Anchor::tip(origin, tip), TURNED));
         }
     }
-    let tip = origin + found.normal * radius;
-    sketch.part("direction").arrow(origin, tip, Pen::vector(Role::Ink));
-    sketch.label(Label::new("n", "$n$", Anchor::tip(origin, tip), Role::Ink));
     sketch.part("crossing").marker(origin, Marker::Disc, Role::Ink, SMALL_MARKER);
+}
+
+/// Draws a line between the bodies square to a direction, past both of them, with its right angle.
+fn between(sketch: &mut Sketch, context: &Context, origin: DVec2, normal: DVec2) {
+    let along = perp(normal);
+    let reach = |way: DVec2| {
+        let far = Side::BOTH.into_iter().filter_map(|side| support(context, side, way));
+        far.map(|p| way.dot(p - origin)).fold(0.0, f64::max)
+    };
+    let past = sketch.px(PAST);
+    let [from, to] = [-along, along].map(|way| origin + way * (reach(way) + past));
+    sketch.part("between").line(from, to, Pen::vector(Role::Ink).width(TANGENT));
+    right_angle(sketch, origin, [angle_of(normal), angle_of(-along)]);
 }
 
 /// Draws a line that touches both bodies, where it does, its right angle to the cone's end, its name.
@@ -128,7 +164,8 @@ fn touching(sketch: &mut Sketch, line: &Touching, origin: DVec2, name: Option<&'
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::figure::plan;
+    use crate::figure::layer::tests::{labels, paths};
+    use crate::figure::{draw, plan};
     use crate::scene::open_text;
 
     #[test]
@@ -158,6 +195,28 @@ mod tests {
             let [a, b] = [(Side::A, found.normal), (Side::B, -found.normal)]
                 .map(|(s, n)| (support(&context, s, n).unwrap() - x).dot(found.normal));
             assert!(a < 0.0 && b > 0.0, "{place}: {a} {b}");
+        }
+    }
+
+    #[test]
+    fn a_line_between_the_bodies_and_the_cone_are_shown_apart() {
+        for (show, [line, touching]) in
+            [("", [1, 2]), (", show = ['line']", [1, 0]), (", show = ['cone']", [0, 2])]
+        {
+            let text = format!(
+                "shapes.A = {{ kind = 'box', half_extents = [1, 0.6], angle_deg = 30 }}
+                shapes.B = {{ kind = 'box', half_extents = [1, 1], position = [3.5, 1] }}
+                query = {{ kind = 'separation', of = ['A', 'B'] }}
+                panels = [{{ layers = ['shapes', {{ layer = 'separating-lines', names = true{show} }}] }}]"
+            );
+            let scene = open_text("lines", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let figure = draw(&plan, plan.theme, "lines");
+            let count = |part| paths(&figure.drawing.items, part).len();
+            assert_eq!([count("between"), count("tangent")], [line, touching], "{show}");
+            let all = labels(&figure);
+            let named = ["n", "n_1", "n_2"].map(|key| usize::from(all.contains_key(key)));
+            assert_eq!(named, [line, touching / 2, touching / 2], "{show}");
         }
     }
 }

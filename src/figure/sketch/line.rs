@@ -8,7 +8,7 @@ use super::{Cover, Outline, Pen, Sketch};
 /// Length of an arrowhead on a vector of 1.75 px, page pixels.
 pub(crate) const HEAD_LENGTH: f64 = 9.0;
 /// Width of that arrowhead across, page pixels.
-const HEAD_WIDTH: f64 = 6.5;
+pub(crate) const HEAD_WIDTH: f64 = 6.5;
 /// How much a head grows for each pixel of the shaft above 1.75, page pixels.
 const HEAD_GROWTH: f64 = 2.4;
 /// The length of a vector, page pixels, below which its head is smaller: half of it, so that a shaft remains.

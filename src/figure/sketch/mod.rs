@@ -33,7 +33,7 @@ pub(crate) use cover::{Cover, Obstacle, Weight};
 use cues::Cues;
 pub(crate) use detail::Detail;
 pub(crate) use label::{Anchor, Best, Corner, Label, Rank, Size, left_of};
-pub(crate) use line::HEAD_LENGTH;
+pub(crate) use line::{HEAD_LENGTH, HEAD_WIDTH};
 pub(crate) use marker::SPECK;
 pub(crate) use outline::{Outline, Piece, angle_of, on_circle};
 pub(crate) use pen::{Dash, LARGE_MARKER, MARKER, Marker, Pen, SMALL_MARKER, Wash};
