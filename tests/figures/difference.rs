@@ -29,53 +29,55 @@ fn dotted(path: &Path) -> bool {
 #[test]
 fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
     let f = figure("04-minkowski-difference");
-    let triangle = |x: f64, y: f64| [(x - 1.0, y - 1.0), (x + 1.9, y - 0.6), (x + 0.2, y + 1.2)];
+    let triangle = |x: f64, y: f64| [(x - 1.5, y - 0.5), (x + 0.9, y - 1.1), (x + 0.7, y + 1.2)];
     let a = [(-1.0, 1.0), (-2.0, -1.0), (1.0, -3.0), (3.0, -2.0)];
-    let world = look(&f, 0, [-4.85, -4.95, 4.95, 4.85]);
-    // B's lowest vertex (1, 2) is 2 from the line 3x + 4y = 1 of A's edge, along (3, 4)/5.
+    let world = look(&f, 0, [-4.1, -5.0, 4.9, 4.0]);
+    // B's vertex (1.4, 1.7) is 2 from the line 3x + 4y = 1 of A's edge, along (3, 4)/5; and b from the edge of the
+    // grown A.
     shows![
         world.polygon(A, &a).is_some_and(|p| p.fill.is_some()),
-        world.polygon(B, &triangle(2.0, 3.0)).is_some(),
-        world.marker(B, (2.0, 3.0)),
-        world.line(Translation, (1.0, 2.0), (-0.2, 0.4)).is_some(),
+        world.polygon(B, &triangle(2.9, 2.2)).is_some(),
+        world.marker(B, (2.9, 2.2)),
+        world.line(Translation, (1.4, 1.7), (0.2, 0.1)).is_some(),
+        world.line(Translation, (2.9, 2.2), (1.7, 0.6)).is_some(),
         f.says("$b$"),
     ];
     // Each vertex of A less a vertex of B seen from b, whichever is farther out.
-    let outline =
-        [(0.0, 2.0), (-2.9, 1.6), (-3.9, -0.4), (-2.2, -2.2), (0.8, -4.2), (2.8, -3.2), (4.0, -1.0)];
-    for (i, role) in [B, A, B, A, A, B, A].into_iter().enumerate() {
+    let outline = [(-2.9, 0.1), (-2.7, -2.2), (0.3, -4.2), (2.3, -3.2), (4.5, -1.5), (0.5, 1.5), (-1.9, 2.1)];
+    for (i, role) in [B, A, A, B, A, B, A].into_iter().enumerate() {
         let edge = world.edge(role, outline[i], outline[(i + 1) % 7]);
         assert!(edge.is_some(), "edge {i} of the grown A is {role:?}'s");
     }
     // Moved and not turned, B touches A with a vertex; its point is on the outline.
     shows![
-        world.polygon(B, &triangle(-0.7, -3.2)).is_some_and(dotted) && world.marker(B, (-0.7, -3.2)),
+        world.polygon(B, &triangle(-1.2, -3.2)).is_some_and(dotted) && world.marker(B, (-1.2, -3.2)),
         f.says("grown $A$"),
     ];
-    let conf = look(&f, 1, [-2.95, -1.35, 6.85, 8.45]);
+    let conf = look(&f, 1, [-2.4, -1.4, 6.6, 7.6]);
+    // (2.9, 2.2) less each vertex of the grown A.
     edges_wear_their_source(
         &conf,
         &[
-            ((2.0, 1.0), B),
-            ((4.9, 1.4), A),
-            ((5.9, 3.4), B),
-            ((4.2, 5.2), A),
-            ((1.2, 7.2), A),
-            ((-0.8, 6.2), B),
-            ((-2.0, 4.0), A),
+            ((5.8, 2.1), B),
+            ((5.6, 4.4), A),
+            ((2.6, 6.4), A),
+            ((0.6, 5.4), B),
+            ((-1.6, 3.7), A),
+            ((2.4, 0.7), B),
+            ((4.8, 0.1), A),
         ],
     );
     shows![
         conf.marker(Ink, (0.0, 0.0)),
         conf.line(Translation, (0.0, 0.0), (1.2, 1.6)).is_some(),
-        f.texts.iter().filter(|(t, _)| t == "$d = 2$").count() == 2,
+        f.texts.iter().filter(|(t, _)| t == "$d = 2$").count() == 3,
         f.says(r"$B \ominus A$"),
         f.says("$O$"),
-        // A as it lies in the grown A, turned half round about b: (2, 3) less its vertices.
-        conf.polygon(A, &[(3.0, 2.0), (4.0, 4.0), (1.0, 6.0), (-1.0, 5.0)]).is_some_and(dotted),
+        // A as it lies in the grown A, turned half round about b.
+        conf.polygon(A, &[(3.9, 1.2), (4.9, 3.2), (1.9, 5.2), (-0.1, 4.2)]).is_some_and(dotted),
         f.says("$A$ turned"),
-        conf.text_near("from $A$", (0.2, 6.7), 60.0),
-        conf.text_near("from $B$", (5.05, 4.3), 60.0),
+        conf.text_near("from $A$", (1.6, 5.9), 60.0),
+        conf.text_near("from $B$", (-0.5, 4.55), 60.0),
     ];
 }
 

@@ -96,28 +96,28 @@ fn clamps(seen: &Look, v: (f64, f64), closest: (f64, f64)) -> bool {
 #[test]
 fn figure_3_shows_v_its_clamped_components_and_the_distance() {
     let f = figure("03-circle-box");
-    let w = look(&f, 0, [-5.2, -2.2, 9.2, 7.0]);
-    let closest = (3.8, 1.2);
+    let w = look(&f, 0, [-5.2, -1.8, 7.1, 5.3]);
+    let closest = (4.0, 1.0);
     shows![
-        w.polygon(A, &[(-3.8, -1.2), (3.8, -1.2), closest, (-3.8, 1.2)]).is_some(),
-        w.circle(B, (6.2, 4.4), 2.4).is_some(),
-        clamps(&w, (6.2, 4.4), closest),
-        w.any_line((6.2, 0.0), (6.2, 4.4)),
-        w.any_line((0.0, 4.4), (6.2, 4.4)),
+        w.polygon(A, &[(-4.0, -1.0), (4.0, -1.0), closest, (-4.0, 1.0)]).is_some(),
+        w.circle(B, (5.0, 3.4), 1.7).is_some(),
+        clamps(&w, (5.0, 3.4), closest),
+        w.any_line((5.0, 0.0), (5.0, 3.4)),
+        w.any_line((0.0, 3.4), (5.0, 3.4)),
         w.text_near("$B_c$", closest, 40.0),
-        f.says("$V = (6.2, 4.4)$") && f.says("$V_x = 6.2$") && f.says("$V_y = 4.4$"),
+        f.says("$V = (5, 3.4)$") && f.says("$V_x = 5$") && f.says("$V_y = 3.4$"),
         f.says("cut to $h_x$") && f.says("cut to $h_y$"),
-        f.says("$h_x = 3.8$") && f.says("$h_y = 1.2$"),
+        f.says("$h_x = 4$") && f.says("$h_y = 1$"),
         f.says("$D$"),
-        f.says("$r = 2.4$"),
-        f.says("distance $= 1.6$"),
+        f.says("$r = 1.7$"),
+        f.says("distance $= 0.9$"),
     ];
-    // The part of D, (2.4, 3.2), that the circle leaves, 4 - 2.4, is thick; the radius goes another way.
-    let rim = (3.8 + 1.6 * 0.6, 1.2 + 1.6 * 0.8);
-    let out = 2.4 * std::f64::consts::FRAC_1_SQRT_2;
+    // The part of D, (1, 2.4), that the circle leaves, 2.6 - 1.7, is thick; the radius goes another way.
+    let rim = (4.0 + 0.9 / 2.6, 1.0 + 0.9 * 2.4 / 2.6);
+    let out = 1.7 * std::f64::consts::FRAC_1_SQRT_2;
     shows![
         w.line(Translation, closest, rim).is_some_and(thick),
-        w.line(B, (6.2, 4.4), (6.2 + out, 4.4 + out)).is_some(),
+        w.line(B, (5.0, 3.4), (5.0 + out, 3.4 + out)).is_some(),
     ];
 }
 
