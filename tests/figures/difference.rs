@@ -101,7 +101,7 @@ fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green
         world.marker(A, a_2) && world.text_near("$a_2$", a_2, 40.0),
         world.marker(A, a_3) && world.text_near("$a_3$", a_3, 40.0),
     ];
-    let conf = look(&f, 1, [-5.17, -2.55, 5.03, 5.45]);
+    let conf = look(&f, 1, [-5.05, -2.55, 5.15, 5.45]);
     let edges = [
         ((-3.6, -1.0), B),
         ((-0.6, -1.0), A),

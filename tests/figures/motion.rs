@@ -101,7 +101,7 @@ fn figure_6_steps_from_the_estimate_to_the_tangent_and_starts_again_there() {
 #[test]
 fn figure_7_adds_up_the_fastest_approach_and_shows_what_is_left_at_the_bound() {
     let f = figure("07-conservative-bound");
-    let [moving, turning, then, at_last] = [0, 1, 2, 3].map(|k| look(&f, k, [-5.1, -2.9, 6.7, 3.2]));
+    let [moving, turning, then, at_last] = [0, 1, 2, 3].map(|k| look(&f, k, [-5.1, -3.15, 6.7, 3.15]));
     let shape_a = [(1.0, -1.6), (1.0, 1.4), (-0.4, 2.2), (-2.2, 1.0), (-1.8, -2.4)];
     let shape_b = [(-2.0, 0.3), (-1.0, -1.7), (2.0, -1.5), (1.9, 0.9), (0.0, 1.8)];
     let turned = |(c, s): P| move |(x, y): P| (c * x - s * y, s * x + c * y);
