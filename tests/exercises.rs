@@ -36,6 +36,44 @@ const ANGLED: [&str; 3] = [
     query = { kind = 'time-of-impact', of = ['A', 'B'] }",
 ];
 
+/// Exercises about a contact: a body that is tilted on a floor, and one on its vertex.
+const CONTACTS: [&str; 2] = [
+    "exercise.ask = ['contacts', 'depth', 'shallow', 'contact.a.x', 'contact.b.x', 'contact.b.y']
+    shapes.A = { kind = 'aabb', half_extents = [5, 1] }
+    shapes.B = { kind = 'polygon', vertices = [[-2, 0.5], [2, 0.75], [2, 3], [-2, 3]] }
+    query = { kind = 'contact', of = ['A', 'B'] }",
+    "exercise.ask = ['contacts', 'contact.a.x', 'contact.a.y', 'n.y']
+    shapes.A = { kind = 'aabb', half_extents = [5, 1] }
+    shapes.B = { kind = 'polygon', vertices = [[0, 0.5], [2, 2], [-2, 2]] }
+    query = { kind = 'contact', of = ['A', 'B'] }",
+];
+
+/// The number of a value of a contact and its bounds in a result whose contacts are checked; `None` of other
+/// values.
+fn of_the_contact(name: &str, result: &Json) -> Option<[f64; 3]> {
+    let all = result.get("contacts")?.list();
+    let number = |json: &Json| json.number().expect("a number");
+    let gap = |contact: &&Json| number(contact.get("separation").expect("its separation"));
+    let by_gap = |p: &&Json, q: &&Json| gap(p).total_cmp(&gap(q));
+    let (deepest, shallowest) = (all.iter().min_by(by_gap)?, all.iter().max_by(by_gap)?);
+    let place = |side: &str, i: usize| {
+        let points = deepest.get("points").expect("its points");
+        [number(&points.get(side).expect("a point").list()[i]); 3]
+    };
+    Some(match name {
+        "contacts" => [f64::from(u32::try_from(all.len()).expect("two at most")); 3],
+        "shallow" => {
+            let bounds = shallowest.get("separation_bounds").expect("its bounds").list();
+            [-gap(&shallowest), -number(&bounds[1]), -number(&bounds[0])]
+        }
+        "contact.a.x" => place("A", 0),
+        "contact.a.y" => place("A", 1),
+        "contact.b.x" => place("B", 0),
+        "contact.b.y" => place("B", 1),
+        _ => return None,
+    })
+}
+
 /// The part of a result that a value is, as `solve` prints it: its key, which of its numbers, its sign.
 fn part(name: &str) -> (&'static str, Option<usize>, f64) {
     match name {
@@ -53,7 +91,6 @@ fn part(name: &str) -> (&'static str, Option<usize>, f64) {
 
 /// Whether the key of a value is what the checked result says.
 fn agrees(asked: &Asked, result: &Json) -> bool {
-    let (key, index, sign) = part(asked.name);
     let number = |key: &str, index: Option<usize>| {
         let value = result.get(key).expect("a part of the result");
         index.map_or(value, |i| &value.list()[i]).number().expect("a number")
@@ -64,6 +101,11 @@ fn agrees(asked: &Asked, result: &Json) -> bool {
     if digits.len() - leading > 3 {
         return false;
     }
+    if let Some([told, lo, hi]) = of_the_contact(asked.name, result) {
+        let bounds = !asked.is_proved || [lo, hi] == [asked.lo, asked.hi];
+        return bounds && (told - value).abs() <= TOLD * value.abs().max(1.0);
+    }
+    let (key, index, sign) = part(asked.name);
     if asked.is_proved {
         let bounds = format!("{key}_bounds");
         let mut ends = [0, 1].map(|i| sign * number(&bounds, Some(i)));
@@ -84,7 +126,10 @@ fn every_key_is_right_in_320_bits() {
     assert!(scenes.len() >= 3, "{}", scenes.len());
     let (mut checked, mut short, mut wrong) = (0, 0, Vec::new());
     let of_guide = scenes.iter().map(|path| (path.display().to_string(), open(path).unwrap()));
-    let angled = ANGLED.map(|text| (text.to_owned(), open_text("angled.toml", text).unwrap()));
+    let angled = ANGLED
+        .iter()
+        .chain(&CONTACTS)
+        .map(|text| ((*text).to_owned(), open_text("angled.toml", text).unwrap()));
     let all: Vec<_> = of_guide.chain(angled).collect();
     for (name, file) in &all {
         let template = file.template();

@@ -9,11 +9,11 @@ use crate::scene::{Exercise, Scene, Space, Spanned};
 use crate::trace::{Event, Hand, script, told};
 use crate::typeset::as_markup;
 
-use super::askable::{askable, in_words};
+use super::askable::{all, askable, in_words};
 use super::givens::givens;
 use super::measure::Measure;
 use super::phrases::{ANSWER, BETWEEN, DIGITS, ENTER, EXACT, FIND, IN_UNIT, UNIT, UNITS, WITHIN, Words};
-use super::quantities::{ASKABLE, Askable};
+use super::quantities::Askable;
 
 /// Where the class writes a number.
 const BLANK: &str = "____________";
@@ -203,7 +203,7 @@ pub(super) fn answers(scene: &Scene, runs: &Runs, exercise: &Exercise) -> Vec<As
 pub(super) fn there(scene: &Scene, runs: &Runs) -> String {
     let context = of_the_query(scene, runs);
     let has = |row: &&Askable| (row.of)(scene.query.kind) && value_of(row.name, &context).is_some();
-    ASKABLE.iter().filter(has).map(|row| format!("`{}`", row.name)).collect::<Vec<_>>().join(", ")
+    all().filter(has).map(|row| format!("`{}`", row.name)).collect::<Vec<_>>().join(", ")
 }
 
 /// What is to be done, as markup: the exercise's own words, or ours.

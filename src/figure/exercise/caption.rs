@@ -9,9 +9,8 @@ use crate::figure::text::{Across, paragraphs, plain};
 use crate::scene::{self, Exercise, Scene, Variant};
 
 use super::answers::{answers, question, solved, steps, task, there};
-use super::askable::askable;
+use super::askable::{all, askable};
 use super::phrases::{MORE, Words};
-use super::quantities::ASKABLE;
 
 /// What stands below the panels of a variant; `None` on a figure, which has the scene's own caption.
 pub(crate) fn caption(
@@ -53,7 +52,7 @@ pub(crate) fn spoken(scene: &Scene, runs: &Runs) -> Option<String> {
 fn check(scene: &Scene, runs: &Runs, exercise: &Exercise, problems: &mut Vec<Problem>) {
     let kind = scene.query.kind;
     for name in exercise.ask.iter().filter(|name| askable(&name.value, kind).is_none()) {
-        let known = ASKABLE.iter().filter(|row| (row.of)(kind)).map(|row| row.name.to_owned()).collect();
+        let known = all().filter(|row| (row.of)(kind)).map(|row| row.name.to_owned()).collect();
         let fault = scene::Fault::UnknownWord { what: "value to ask for", got: name.value.clone(), known };
         problems.push(Problem::new(fault.into(), name.span.clone()));
     }

@@ -14,6 +14,7 @@ mod askable;
 mod caption;
 mod givens;
 mod measure;
+mod of_contacts;
 mod phrases;
 mod plan;
 mod quantities;
@@ -33,5 +34,5 @@ use crate::trace::Phrase;
 
 /// Every phrase of an exercise, in an order that stays.
 pub(super) fn all_phrases() -> impl Iterator<Item = &'static Phrase> {
-    phrases::ALL.iter().copied().chain(quantities::ASKABLE.iter().map(|row| &row.what))
+    phrases::ALL.iter().copied().chain(askable::all().map(|row| &row.what))
 }

@@ -45,7 +45,7 @@ fn is_for_a_box(kind: QueryKind) -> bool {
 }
 
 /// A row of the table.
-const fn row(
+pub(super) const fn row(
     name: &'static str,
     symbol: &'static str,
     what: [&'static str; 4],
@@ -56,13 +56,13 @@ const fn row(
 }
 
 /// A row whose bounds are proved.
-const fn proved(mut row: Askable) -> Askable {
+pub(super) const fn proved(mut row: Askable) -> Askable {
     row.is_proved = true;
     row
 }
 
-/// Every value that can be asked for.
-pub(crate) static ASKABLE: &[Askable] = &[
+/// Every value that can be asked for but those of a contact.
+pub(super) static ASKABLE: &[Askable] = &[
     proved(row(
         "separation",
         "s",

@@ -8,6 +8,7 @@
 mod boxes;
 mod caption;
 mod columns;
+mod contacts;
 mod decimal;
 mod digits;
 mod fill;

@@ -7,6 +7,7 @@ use crate::geometry::DVec2;
 use crate::trace::Event;
 
 use super::boxes::{angle_of_the_box, bounds, half, half_extents, middle};
+use super::contacts::{self, deepest};
 use super::quantity::Quantity;
 use super::step_values::{of_step, of_step_or_first};
 
@@ -151,6 +152,12 @@ pub(crate) static VALUES: &[Value] = &[
     Value { name: "halves.b.x", about: "the second AABB's half-extent in x", of: |c| half(c, |[_, b]| b.x) },
     Value { name: "halves.a.y", about: "the first AABB's half-extent in y", of: |c| half(c, |[a, _]| a.y) },
     Value { name: "halves.b.y", about: "the second AABB's half-extent in y", of: |c| half(c, |[_, b]| b.y) },
+    Value { name: "contacts", about: "how many points the contact has", of: contacts::count },
+    Value { name: "shallow", about: "depth at the shallower of two contacts", of: contacts::shallower },
+    Value { name: "contact.a.x", about: "x of A's deepest contact", of: |c| deepest(c, |[a, _]| a.x) },
+    Value { name: "contact.a.y", about: "y of A's deepest contact", of: |c| deepest(c, |[a, _]| a.y) },
+    Value { name: "contact.b.x", about: "x of B's deepest contact", of: |c| deepest(c, |[_, b]| b.x) },
+    Value { name: "contact.b.y", about: "y of B's deepest contact", of: |c| deepest(c, |[_, b]| b.y) },
     told!("theta", "angle turned, degrees", Event::MotionBounded { theta, .. } => theta.to_degrees()),
     told!("theta.rad", "angle turned, radians", Event::MotionBounded { theta, .. } => *theta),
     told!(
