@@ -6,7 +6,7 @@
 
 mod small;
 
-use crate::drawing::{Contour, Group, Item, Path, Point, Rect, Role, Shown, Stroke};
+use crate::drawing::{Contour, Group, Item, Offset, Path, Point, Rect, Role, Shown, Stroke};
 use crate::geometry::DVec2;
 use crate::scene::{Detail, Panel};
 
@@ -101,7 +101,19 @@ impl Inset {
     pub(crate) fn write_factor(&self, sketch: &mut Sketch) {
         let rect = self.frame.panel;
         let Some(words) = sketch.set(&format!(r"$\times\,{}$", self.factor)) else { return };
-        let origin = Point::new(rect.x1 - words.width - MARGIN, rect.y1 - words.descent - MARGIN);
+        let [left, right] = [rect.x0 + MARGIN, rect.x1 - words.width - MARGIN];
+        let [high, low] = [rect.y0 + words.ascent + MARGIN, rect.y1 - words.descent - MARGIN];
+        // The first of those that hide least.
+        let corners = [(right, low), (left, low), (right, high), (left, high)].map(|(x, y)| Point::new(x, y));
+        let hides = |at: &Point| {
+            let under = Rect::new(
+                *at + Offset::new(0.0, -words.ascent),
+                *at + Offset::new(words.width, words.descent),
+            );
+            covered(&under, sketch.obstacles())
+        };
+        let origin = corners.into_iter().min_by(|p, q| hides(p).total_cmp(&hides(q)));
+        let Some(origin) = origin else { return };
         sketch.begin_layer("factor", true);
         sketch.write(&words, origin, Role::Muted);
     }
@@ -253,6 +265,11 @@ fn enlarged(cell: &Rect, detail: &Rect, [right, down]: [f64; 2], factor: f64) ->
 /// How much an inset would hide, in page pixels of line.
 fn hidden(rect: &Rect, detail: &Rect, obstacles: &[Obstacle]) -> f64 {
     let over = rect.grown(APART).intersection(*detail).map_or(0.0, |_| f64::MAX / 4.0);
+    over + covered(rect, obstacles)
+}
+
+/// How much of what is drawn lies in a rectangle, page pixels of lines.
+fn covered(rect: &Rect, obstacles: &[Obstacle]) -> f64 {
     let cost = |obstacle: &Obstacle| {
         let weight = if obstacle.weight == Weight::Background { BACKGROUND } else { 1.0 };
         weight
@@ -263,7 +280,7 @@ fn hidden(rect: &Rect, detail: &Rect, obstacles: &[Obstacle]) -> f64 {
                 }
             }
     };
-    over + obstacles.iter().map(cost).sum::<f64>()
+    obstacles.iter().map(cost).sum()
 }
 
 /// How much of a line lies within a rectangle, page pixels: from where it enters it to where it leaves it

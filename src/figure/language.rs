@@ -20,7 +20,7 @@ const STAR: char = '*';
 
 /// Rows that are said of a body at another place: alone in labels that have a name too, which may be any
 /// word.
-const OF_GHOSTS: usize = 10;
+const OF_GHOSTS: usize = 12;
 
 /// Labels that are a name and nothing else.
 const NAMES: [&str; 4] = ["A", "B", "a", "context"];
@@ -58,6 +58,14 @@ pub(crate) static WORDS: &[Row] = &rows([
     ["at $t*", "$t*", "bei $t*", "à $t*", "en $t*"],
     ["* at $t*", "*: $t*", "* bei $t*", "* à $t*", "* en $t*"],
     ["origin of *", "*", "Ursprung von *", "origine de *", "origen de *"],
+    ["or * pushed out", "*", "oder * hinausgeschoben", "ou * repoussé", "o * apartado"],
+    [
+        "or * pushed farther",
+        "*",
+        "oder * weiter geschoben",
+        "ou * repoussé plus loin",
+        "o * apartado más lejos",
+    ],
     ["* pushed out", "*", "* hinausgeschoben", "* repoussé", "* apartado"],
     ["* pushed farther", "*", "* weiter geschoben", "* repoussé plus loin", "* apartado más lejos"],
     ["looks the same", "", "sieht gleich aus", "paraît inchangé", "se ve igual"],
@@ -130,6 +138,13 @@ pub(crate) static WORDS: &[Row] = &rows([
         "tolerancia $*$, demasiado pequeña para verse",
     ],
     ["tolerance $*$", "$*$", "Toleranz $*$", "tolérance $*$", "tolerancia $*$"],
+    [
+        "(too small to be seen)",
+        "",
+        "(zu klein für das Bild)",
+        "(trop petite pour être vue)",
+        "(demasiado pequeña para verse)",
+    ],
     ["distance of the cores", "", "Abstand der Kerne", "distance des noyaux", "distancia de los núcleos"],
     [
         "distance closed by time $t$",
@@ -337,61 +352,4 @@ fn taken<'t>(pattern: &str, text: &'t str) -> Option<Vec<&'t str>> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::figure::default_picture::PICTURES;
-    use crate::scene::panels_of_text;
-    use crate::typeset::{Style, typeset};
-
-    fn label(tag: &str, key: &str, line: &str) -> String {
-        Language::of_tag(tag).lines(key, &[line.to_owned()]).concat()
-    }
-
-    #[test]
-    fn a_label_has_the_words_of_its_language_and_the_formula_of_all() {
-        let cases = [
-            ("en-GB", "at $t = 0.5$", "at $t = 0.5$"),
-            ("de", "at $t = 0.5$", "bei $t = 0.5$"),
-            ("fr-CH", "$A$ at $t = 0.5$", "$A$ à $t = 0.5$"),
-            ("es", "crate pushed out", "crate apartado"),
-            ("zh", "at $t = 0.5$", "$t = 0.5$"),
-            ("zh", "depth $d = 2$", "$d = 2$"),
-            ("zh", "crate pushed out", "crate"),
-            ("fr", "edge of $A$, reversed", "arête de $A$, inversée"),
-            ("de", "edge of $B$", "Kante von $B$"),
-            ("es", "$2.5$ long", "longitud $2.5$"),
-        ];
-        for (tag, line, expected) in cases {
-            assert_eq!(label(tag, "d", line), expected, "{tag}");
-        }
-        assert_eq!(label("de", "A'", "crate pushed out"), "crate hinausgeschoben");
-        assert_eq!(label("zh", "incident", "incident"), "");
-        assert_eq!(label("de", "copy", "*b moved around box*"), "*b um box* geschoben");
-    }
-
-    #[test]
-    fn a_body_whose_name_is_a_word_of_ours_keeps_it() {
-        for key in ["A", "B'", "context"] {
-            assert_eq!(label("de", key, "tangent"), "tangent", "{key}");
-        }
-        assert_eq!(label("de", "tangent", "tangent"), "Tangente");
-    }
-
-    #[test]
-    fn every_title_of_a_default_picture_and_every_word_can_be_said_and_set() {
-        let german = Language::of_tag("de");
-        let panels = PICTURES.iter().flat_map(|row| panels_of_text(row.panels, &(0..0)));
-        for title in panels.filter_map(|panel| panel.title) {
-            assert_ne!(german.words(&title.value), title.value);
-        }
-        for &row in WORDS {
-            let stars = row.map(|said| said.matches(STAR).count());
-            assert!(stars[2..].iter().all(|count| *count == stars[0]), "{row:?}");
-            for said in row {
-                let markup = said.replace(STAR, " 2 ").replace("$=", "${} =");
-                let whole = if markup.matches('$').count() % 2 == 1 { format!("{markup}$") } else { markup };
-                assert!(typeset(&whole, Style::regular(16.0)).is_ok(), "{whole}");
-            }
-        }
-    }
-}
+mod tests;

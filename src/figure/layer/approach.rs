@@ -7,7 +7,7 @@ use crate::drawing::Role;
 use crate::figure::context::{Approach, Context};
 use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, MARKER, Marker, Pen, Sketch};
 use crate::figure::text::number;
-use crate::geometry::Side;
+use crate::geometry::{DVec2, Side};
 use crate::scene::{Space, When};
 
 use super::{Fed, LabelKey, Layer, Options, Shows, Tells, ghosts};
@@ -63,7 +63,7 @@ fn in_the_world(sketch: &mut Sketch, context: &Context, options: &Options, close
     sketch.part("approach").dimension(p, q, 0.0, Pen::dimension(role).width(1.5));
     sketch.detail(&[p, q]).part("closest-points").marker(p, Marker::Disc, Side::A.into(), MARKER);
     sketch.part("closest-points").marker(q, Marker::Square, Side::B.into(), MARKER);
-    sketch.label(label(closest, Anchor::middle(q, p), role));
+    sketch.label(label((context, closest), Anchor::middle(q, p), role));
 }
 
 /// Draws where on the ray the origin is then, and its distance from B ⊖ A.
@@ -73,13 +73,15 @@ fn on_the_ray(sketch: &mut Sketch, context: &Context, options: &Options, closest
     let role = options.role(Role::Translation);
     sketch.part("approach").dimension(from, to, 0.0, Pen::dimension(role).width(1.5));
     sketch.detail(&[from, to]).part("then").marker(from, Marker::Disc, Role::Ink, LARGE_MARKER);
-    sketch.label(label(closest, Anchor::middle(from, to), role));
+    sketch.label(label((context, closest), Anchor::middle(from, to), role));
 }
 
-/// The least distance, and when it is.
-fn label(closest: &Approach, anchor: Anchor, role: Role) -> Label {
-    let lines =
-        vec![format!("$d = {}$", number(closest.separation)), format!("$t = {}$", number(closest.time))];
+/// The least distance, and when it is; bodies that move as one have it at all times.
+fn label((context, closest): (&Context, &Approach), anchor: Anchor, role: Role) -> Label {
+    let mut lines = vec![format!("$d = {}$", number(closest.separation))];
+    if context.turns() || context.closing_velocity() != DVec2::ZERO {
+        lines.push(format!("$t = {}$", number(closest.time)));
+    }
     Label { lines, ..Label::new("d", "", anchor, role) }
 }
 
@@ -122,6 +124,16 @@ mod tests {
         }
         let figure = passing(SWEEP, 3.0, "space = 'configuration'\nlayers = ['approach']");
         assert!(labels(&figure)["d"].0.starts_with("$d = 1$"));
+    }
+
+    #[test]
+    fn a_distance_that_stays_has_no_time() {
+        let together = "velocity = [8, 0]\n[query]\nkind = 'linear-sweep'";
+        for panel in ["layers = ['approach']", "space = 'configuration'\nlayers = ['approach']"] {
+            let figure = passing(together, 3.0, panel);
+            let label = figure.panels[0].placed.iter().find(|label| label.key == "d").unwrap();
+            assert_eq!(label.lines.len(), 1, "{panel}");
+        }
     }
 
     #[test]

@@ -2,6 +2,7 @@
 //! apart; where they overlap the minimum translation of B, −s n, which takes B ⊖ A along until that point is
 //! at the origin. At a step of a sweep, where the estimate moves and not the difference, from the estimate.
 
+use crate::collision::Separation;
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::difference::{Difference, Edge};
@@ -13,6 +14,9 @@ use crate::trace::Event;
 use super::difference::difference;
 use super::polytope::PUSHED;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
+
+/// The least length that can be told from none, page pixels: half the width of an outline.
+const UNSEEN: f64 = 1.0;
 
 pub(super) const LAYER: Layer = Layer {
     name: "closest",
@@ -88,6 +92,14 @@ pub(super) fn nearest(context: &Context) -> Option<Nearest> {
     Some(Nearest { foot, text, overlap: answer.bounds.hi < 0.0 })
 }
 
+/// What is said beside the length of bodies that seem to touch on the page, where they are known not to.
+pub(super) fn unseen(sketch: &Sketch, context: &Context, answer: &Separation) -> Option<String> {
+    let rounding = context.scene.query_at(context.time).rounding();
+    let touches = answer.bounds.lo <= rounding && -rounding <= answer.bounds.hi;
+    let is_seen = sketch.on_page(answer.separation.abs()) >= UNSEEN;
+    (!touches && !is_seen).then(|| "(too small to be seen)".to_owned())
+}
+
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(Nearest { foot, text, overlap }) = nearest(context) else { return };
     let role = options.role(Role::Translation);
@@ -113,7 +125,10 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         sketch.dimension(from, to, 0.0, Pen::dimension(role).width(1.5));
     }
     sketch.detail(&[from, to]);
-    let label = Label::new("d", text, Anchor::middle(from, to), role);
+    let answer = context.separation_at(context.time).and_then(|run| run.separation().copied());
+    let said = answer.and_then(|answer| unseen(sketch, context, &answer));
+    let lines = std::iter::once(text).chain(said).collect();
+    let label = Label { lines, ..Label::new("d", "", Anchor::middle(from, to), role) };
     sketch.label(match options.words("text") {
         Some(lines) => label.given(lines),
         None => label,

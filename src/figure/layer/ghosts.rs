@@ -143,13 +143,15 @@ fn when(context: &Context, options: &Options) -> Option<f64> {
 }
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
-    for side in options.of(&context.sides()) {
+    for (i, side) in options.of(&context.sides()).into_iter().enumerate() {
+        // Either is pushed all of the way, and not both.
+        let or = if i > 0 { "or " } else { "" };
         match options.word("at", When::HIT) {
             SEPARATED => {
                 let way = separation(context).and_then(|answer| push(&answer));
-                pushed(sketch, context, options, (side, way, "pushed out"));
+                pushed(sketch, context, options, (side, way, [or, "pushed out"]));
             }
-            RIVAL => pushed(sketch, context, options, (side, rival(context), "pushed farther")),
+            RIVAL => pushed(sketch, context, options, (side, rival(context), [or, "pushed farther"])),
             STEPS => steps(sketch, context, options, side),
             _ => moment(sketch, context, options, side),
         }
@@ -164,16 +166,17 @@ fn rival(context: &Context) -> Option<DVec2> {
     Some(-way.edge.normal * way.length)
 }
 
-/// Draws a body parted from the other: B by the way, A against it; `how` says which way it is.
+/// Draws a body parted from the other: B by the way, A against it; `how` says which way it is, after an "or"
+/// where the other body is drawn so too.
 fn pushed(
     sketch: &mut Sketch,
     context: &Context,
     options: &Options,
-    (side, way, how): (Side, Option<DVec2>, &str),
+    (side, way, [or, how]): (Side, Option<DVec2>, [&str; 2]),
 ) {
     let (Some(way), Some(outline)) = (way, context.outline(side, context.time)) else { return };
     sketch.since(context.separation_at(context.time).map(|run| run.end()));
-    let text = format!("{} {how}", context.named(side).primed(0));
+    let text = format!("{or}{} {how}", context.named(side).primed(0));
     if way.length() < sketch.px(UNSEEN) {
         return;
     }

@@ -34,6 +34,9 @@ const GAP: f64 = 22.0;
 /// The least distance of two steps along the axis that have their times below their numbers, page pixels.
 const VALUE_GAP: f64 = 30.0;
 
+/// The least distance of the numbers along the axis to one that stands for several steps, page pixels.
+const TOGETHER_GAP: f64 = 30.0;
+
 /// The least height of the line of the tolerance, page pixels: a lower one can't be told from the axis.
 const SEEN: f64 = 3.0;
 
@@ -231,10 +234,14 @@ fn marks(
     (role, values): (Role, bool),
 ) {
     let (mut free, mut wide) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
-    // The last number says how many steps there are: those that stand too near to it give way.
+    // The last number says how many steps there are: those that stand too near to it are told with it.
     let last = all.len().min(MOST);
-    let [gap, value_gap] = [GAP, VALUE_GAP].map(|px| sketch.fitted(px));
+    let [gap, value_gap, wider] = [GAP, VALUE_GAP, TOGETHER_GAP].map(|px| sketch.fitted(px));
     let end = all.get(last.saturating_sub(1)).map_or(f64::INFINITY, |step| chart.along(sketch, step.time));
+    let among = all.get(1..last.saturating_sub(1)).unwrap_or_default();
+    let near = |room: f64| among.iter().filter(|step| end - chart.along(sketch, step.time) < room).count();
+    let room_at_end = if near(gap) > 0 { wider } else { gap };
+    let together = near(room_at_end);
     for (k, step) in (1..).zip(all.iter().take(MOST)) {
         sketch.since(context.known(&When::Step(k)));
         let on_axis = chart.place(step.time, 0.0);
@@ -244,12 +251,13 @@ fn marks(
         sketch.marker(on_curve, Marker::HollowDiamond, Role::Now, MARKER);
         let along = chart.along(sketch, step.time);
         let yields = |room: f64| k > 1 && k < last && end - along < room;
-        if k == last || along >= free && !yields(gap) {
+        if k == last || along >= free && !yields(room_at_end) {
             free = along + gap;
-            let mut lines = vec![format!("$t_{{{k}}}$")];
+            let mut lines = vec![numbered(k, if k == last { together } else { 0 })];
             if values && (k == last || along >= wide && !yields(value_gap)) {
                 wide = along + value_gap;
-                lines.push(format!("${}$", number(step.time)));
+                let up_to = if k == last && together > 0 { r"\ldots\," } else { "" };
+                lines.push(format!("${up_to}{}$", number(step.time)));
             }
             let anchor = Anchor::Tick { at: on_axis, toward: DVec2::NEG_Y };
             let label = Label { lines, ..Label::new("step", "", anchor, Role::Now) };
@@ -269,6 +277,15 @@ fn marks(
         let anchor = Anchor::point_toward(chart.place(first.time, first.separation), DVec2::X);
         let text = format!("$s_1 = {}$", number(first.separation));
         sketch.label(Label::new("s_1", text, anchor, role));
+    }
+}
+
+/// The times of a step and of those `before` it that have no number of their own.
+fn numbered(k: usize, before: usize) -> String {
+    match before {
+        0 => format!("$t_{{{k}}}$"),
+        1 => format!("$t_{{{}}}, t_{{{k}}}$", k.saturating_sub(1)),
+        _ => format!("$t_{{{}}} \\ldots t_{{{k}}}$", k.saturating_sub(before)),
     }
 }
 

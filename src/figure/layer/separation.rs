@@ -17,7 +17,7 @@ use crate::trace::Event;
 
 use crate::scene::When;
 
-use super::closest::{WayOut, longer, longer_way};
+use super::closest::{WayOut, longer, longer_way, unseen};
 use super::depth_disc::{disc, disc_place};
 use super::difference::difference;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, STEPS, Shows, Takes, Tells};
@@ -207,7 +207,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let text = asked_distance(context, &answer).unwrap_or(text);
     // On the outer side of a line that is moved aside; a long text on a short arrow beyond one of its ends.
     let anchor = Anchor::Beside { from: q, to: p, offset };
-    let label = Label::new(key, text, anchor, role);
+    let lines = std::iter::once(text).chain(unseen(sketch, context, &answer)).collect();
+    let label = Label { lines, ..Label::new(key, "", anchor, role) };
     sketch.since(run.end()).label(match options.words("text") {
         Some(lines) => label.given(lines),
         None => label,
@@ -354,6 +355,24 @@ mod tests {
             let Segment::Move(from) = bar[0] else { panic!("a line begins") };
             let closest = figure.panels[0].frame.page(DVec2::X);
             assert!(((from.y - closest.y).abs() - expected).abs() < 1e-9, "{from:?} {closest:?}");
+        }
+    }
+
+    #[test]
+    fn a_gap_that_cannot_be_seen_says_so() {
+        for (radius, gap, lines) in [(1000.0, 0.01, 2), (1000.0, 0.0, 1), (1.0, 0.5, 1)] {
+            let text = format!(
+                "shapes.A = {{ kind = 'circle', radius = {radius} }}
+                shapes.B = {{ kind = 'circle', radius = 1, position = [{}, 0] }}
+                query = {{ kind = 'separation', of = ['A', 'B'] }}
+                panels = [{{ layers = ['shapes', 'separation'] }}]",
+                radius + 1.0 + gap
+            );
+            let scene = open_text("s.toml", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let figure = draw(&plan, plan.theme, "s");
+            let label = figure.panels[0].placed.iter().find(|label| label.key == "d").unwrap();
+            assert_eq!(label.lines.len(), lines, "{radius}, {gap}");
         }
     }
 }

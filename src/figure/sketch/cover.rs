@@ -65,6 +65,11 @@ impl Sketch<'_> {
         }
     }
 
+    /// What labels keep off so far.
+    pub(crate) fn obstacles(&self) -> &[Obstacle] {
+        &self.obstacles
+    }
+
     /// Lets labels stand on what the current part drew in a convex area: something opaque will lie on it.
     pub(crate) fn hidden_under(&mut self, area: &Outline) {
         let area: Vec<Point> = area.sampled().iter().map(|&p| self.frame.page(p)).collect();

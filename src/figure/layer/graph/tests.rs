@@ -81,14 +81,16 @@ fn level_with_a_picture_of_the_same_view_separations_are_as_long_as_there() {
     }
 }
 
+/// The lines of the labels of a key.
+fn said(figure: &Figure, key: &str) -> Vec<String> {
+    let placed = figure.panels.iter().flat_map(|panel| &panel.placed);
+    let lines = placed.filter(|label| label.key == key).flat_map(|label| &label.lines);
+    lines.map(|(_, line)| line.markup.clone()).collect()
+}
+
 #[test]
 fn values_are_those_of_the_steps_and_only_written_where_they_are_asked_for() {
     let (figure, steps) = graph("conservative-advancement", true).unwrap();
-    let said = |figure: &Figure, key: &str| -> Vec<String> {
-        let placed = figure.panels.iter().flat_map(|panel| &panel.placed);
-        let lines = placed.filter(|label| label.key == key).flat_map(|label| &label.lines);
-        lines.map(|(_, line)| line.markup.clone()).collect()
-    };
     let times = said(&figure, "step");
     assert_eq!(times[..2], ["$t_{1}$", "$0$"]);
     assert_eq!(times[2..4], ["$t_{2}$".to_owned(), format!("${}$", number(steps[1].time))]);
@@ -173,4 +175,23 @@ fn a_tolerance_that_cannot_be_told_from_the_axis_says_so() {
 #[test]
 fn an_algorithm_without_steps_has_no_graph() {
     assert!(graph("swept-axis", true).is_err());
+}
+
+#[test]
+fn steps_without_a_number_of_their_own_are_told_with_the_last_one() {
+    assert_eq!(["$t_{4}$", "$t_{3}, t_{4}$", "$t_{2} \\ldots t_{4}$"], [0, 1, 2].map(|n| numbered(4, n)));
+    for values in [false, true] {
+        let (figure, steps) = graph("conservative-advancement", values).unwrap();
+        let times = said(&figure, "step");
+        let numbers = |line: &str| -> Vec<usize> {
+            let digits = line.split(|c: char| !c.is_ascii_digit()).filter_map(|n| n.parse().ok());
+            digits.collect()
+        };
+        let numbers: Vec<Vec<usize>> =
+            times.iter().filter(|line| line.starts_with("$t_")).map(|line| numbers(line)).collect();
+        let (last, before) = numbers.split_last().unwrap();
+        let first = last[0];
+        assert_eq!(*last.last().unwrap(), steps.len().min(MOST));
+        assert!(last.len() < 2 || before.last().unwrap()[0] < first, "{numbers:?}");
+    }
 }

@@ -122,3 +122,25 @@ fn the_point_that_a_body_with_a_word_for_a_name_shrinks_to_is_its_origin() {
     assert_eq!(labels("rock", "en"), ["origin of rock", "rock turned about its origin"]);
     assert_eq!(labels("rock", "de"), ["Ursprung von rock", "rock um den eigenen Ursprung gedreht"]);
 }
+
+#[test]
+fn of_two_bodies_that_are_drawn_apart_either_is_pushed_and_not_both() {
+    let labels = |lang: &str, of: &str| {
+        let text = format!(
+            "lang = '{lang}'
+            shapes.rock = {{ kind = 'box', half_extents = [1, 0.6] }}
+            shapes.hero = {{ kind = 'circle', radius = 0.5, position = [1.2, 0.2] }}
+            query = {{ kind = 'separation', of = ['rock', 'hero'] }}
+            panels = [{{ layers = ['shapes', {{ layer = 'ghosts', at = 'separated'{of} }}] }}]"
+        );
+        let scene = open_text("s.toml", &text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "f");
+        let ghosts = figure.panels[0].placed.iter().filter(|l| l.key.ends_with('\''));
+        // Each line of a name that is folded knows the whole.
+        ghosts.map(|label| label.lines[0].1.markup.clone()).collect::<Vec<_>>()
+    };
+    assert_eq!(labels("en", ""), ["rock pushed out", "or hero pushed out"]);
+    assert_eq!(labels("en", ", of = ['hero']"), ["hero pushed out"]);
+    assert_eq!(labels("de", ""), ["rock hinausgeschoben", "oder hero hinausgeschoben"]);
+}
