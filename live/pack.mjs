@@ -4,7 +4,6 @@
 //
 // - A panic ends the module, and no page reads its message: the functions that write one trap at once, and
 //   what is only theirs goes.
-// - Faces are ours, and nothing reads a decimal number in one.
 // - The root of a number is one instruction.
 // - What is alike stands side by side, where it packs better.
 // - The names of source files, and the lines in them where a panic may be, are zeros, and what only lists
@@ -24,29 +23,17 @@ const PANICS = [
     /panic_on_ord_violation/,
     /raw_vec12handle_error|capacity_overflow|handle_alloc_error/,
 ];
-/** What our faces do not come to: letters made of two, letters that hang on others, bytes in pairs. */
-const OTHER_FACES = [
-    /10ttf_parser6tables3cff4cff121seac_code_to_glyph_id/,
-    /10ttf_parser3ggg(15chained_context|7context)/,
-    /10ttf_parser6tables4cmap7format2/,
-];
-/** What reads a decimal number, with tables of 10 kB that do not pack. */
-const READER = /3num7dec2flt.*FromStr8from_str/;
 /** The root of a double: here an instruction, which rounds as it does. A library has no name for that. */
 const ROOT = /^_ZN4libm4math4sqrt4sqrt17h/;
 /**
- * How tables begin that nothing comes to, and their bytes: of that reader, from 5⁻³⁴² to 5³⁰⁸, each of two
- * words; and of the one of JSON 5²⁰⁴⁸, 5⁴⁰⁹⁶ and 5⁸¹⁹², where a double asks for 5¹⁰⁹³ at most, of the 769
- * digits that decide and 324 zeros.
+ * How tables begin that nothing comes to, and their bytes: of what reads numbers in JSON 5²⁰⁴⁸, 5⁴⁰⁹⁶ and
+ * 5⁸¹⁹², where a double asks for 5¹⁰⁹³ at most, of the 769 digits that decide and 324 zeros.
  */
 const POWERS = [
-    { first: '5ad63b92d653f4ee3f3ba10629aa3f11', length: 651 * 16 },
     { first: '01e03313656809e33f4d7db2cf8de249', length: 149 * 4 },
     { first: '01c0672a8d4e72d4e77afe8e901e9af8', length: 298 * 4 },
     { first: '0180cf642652349fe563496453508d7b', length: 595 * 4 },
 ];
-/** Who may seem to: the tables of a face may have such numbers, and those of ours have none. */
-const FACES = /10ttf_parser6tables3cff4dict/;
 /** What a source file is called. */
 const SOURCES = /(?:\/|crates\/)[\w./+-]+\.rs(?=\0)/g;
 
@@ -169,22 +156,11 @@ function named(bytes) {
     return Buffer.concat([bytes, Buffer.from([0, ...told(section)])]);
 }
 
-/** Throws where a function that only these may call, which never come to it, has another caller. */
-function held(module, part, callers) {
-    let caller;
-    for (const line of module.emitText().split('\n')) {
-        caller = /^ \(func \$(\S+)/.exec(line)?.[1] ?? caller;
-        const called = /\((?:return_)?call \$(\S+?)[\s)]/.exec(line)?.[1] ?? '';
-        if (part.test(called) && !callers.test(caller)) throw new Error(`${caller} calls ${called}`);
-    }
-}
-
 const [folder, from, to] = process.argv.slice(2);
 const { default: binaryen } = await import(pathToFileURL(`${folder}/index.js`));
 let module = binaryen.readBinary(without_lists(without_powers(without_sources(readFileSync(from)))));
-held(module, READER, FACES);
 const root = module.f64.sqrt(module.local.get(0, binaryen.f64));
-for (const part of [...PANICS, ...OTHER_FACES, READER, ROOT]) {
+for (const part of [...PANICS, ROOT]) {
     let count = 0;
     for (let index = 0; index < module.getNumFunctions(); index += 1) {
         const { name, module: imported, base } = binaryen.getFunctionInfo(module.getFunctionByIndex(index));

@@ -5,7 +5,7 @@ use std::path::Path;
 use serde_json::{Value, json};
 use tracefig::drawing::{Drawing, Role};
 use tracefig::figure::plain;
-use tracefig::live::{self, Frame, foreign_texts, whole_faces};
+use tracefig::live::{self, Frame, foreign_texts, more_glyphs};
 use tracefig::output::{FORMATS, INLINE, LivePage, Module, OutputError, WriteLive};
 use tracefig::scene::{SceneFile, Source, Variant};
 
@@ -135,7 +135,7 @@ pub(crate) fn request(
             Inline::OnItsOwn => json!({}),
         };
     }
-    if let Some(faces) = whole_faces(file) {
+    if let Some(faces) = more_glyphs(file) {
         rest["faces"] = faces;
     }
     if let Some(texts) = foreign_texts(file) {

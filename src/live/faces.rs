@@ -1,21 +1,25 @@
-//! The faces that a page brings along, as its module has cut ones.
+//! The glyphs that a page brings along, as its module has those alone that our own words and layers say.
 
 use serde_json::{Map, Value};
 
 use super::refusal::Refusal;
 use crate::output::of_base64;
-use crate::typeset::{Face, bring};
+use crate::typeset::{PACKED, bring};
 
 #[cfg(not(tracefig_page))]
-pub use whole::whole_faces;
+pub use whole::more_glyphs;
 
 #[cfg(not(tracefig_page))]
 mod whole {
+    use std::collections::BTreeSet;
+
     use serde_json::{Map, Value, json};
 
     use crate::output::base64;
     use crate::scene::SceneFile;
-    use crate::typeset::beyond;
+    use crate::typeset::{Glyphs, beyond};
+
+    use super::super::texts::foreign_texts;
 
     /// Every text of a value, keys of tables too.
     fn texts<'v>(value: &'v Value, found: &mut Vec<&'v str>) {
@@ -30,11 +34,12 @@ mod whole {
         }
     }
 
-    /// The faces that [`Live::open`](crate::live::Live::open) must be given with a scene in the module of
-    /// live pages, whose own are cut to what most figures set; `None` where it needs no more.
+    /// The glyphs that [`Live::open`](crate::live::Live::open) must be given with a scene in the module of
+    /// live pages, which has those alone that our own words and layers say in English: packed, by face;
+    /// `None` where it needs no more.
     ///
     /// ```
-    /// use tracefig::live::whole_faces;
+    /// use tracefig::live::more_glyphs;
     /// let scene = |name: &str| {
     ///     let text = format!(
     ///         "shapes.\"{name}\" = {{ kind = 'circle', radius = 2 }}\n\
@@ -42,45 +47,57 @@ mod whole {
     ///     );
     ///     tracefig::scene::open_text("s.toml", &text)
     /// };
-    /// assert_eq!(whole_faces(&scene("A")?), None);
-    /// assert!(whole_faces(&scene("Ж")?).unwrap()["regular"].is_string());
+    /// assert_eq!(more_glyphs(&scene("box")?), None);
+    /// assert!(more_glyphs(&scene("Ж")?).unwrap()["words"].is_string());
     /// # Ok::<(), Box<tracefig::Refused>>(())
     /// ```
     #[must_use]
-    pub fn whole_faces(file: &SceneFile) -> Option<Value> {
-        let scene = file.json_value();
-        let mut found = Vec::new();
-        texts(&scene, &mut found);
-        let faces = beyond(found.into_iter()).into_iter();
+    pub fn more_glyphs(file: &SceneFile) -> Option<Value> {
+        let brought = beyond(&needed(file)).into_iter();
         let faces: Map<String, Value> =
-            faces.map(|(face, file)| (face.word().to_owned(), json!(base64(file)))).collect();
+            brought.map(|(face, piece)| (face.to_owned(), json!(base64(&piece)))).collect();
         (!faces.is_empty()).then_some(Value::Object(faces))
+    }
+
+    /// The glyphs that a scene and the texts of its language need.
+    pub(super) fn needed(file: &SceneFile) -> Glyphs {
+        let (scene, foreign) = (file.json_value(), foreign_texts(file).unwrap_or_default());
+        let (mut own, mut ours) = (Vec::new(), Vec::new());
+        texts(&scene, &mut own);
+        texts(&foreign, &mut ours);
+        let letters: BTreeSet<char> = ours.iter().flat_map(|text| text.chars()).collect();
+        Glyphs::of(own.into_iter(), &letters.into_iter().collect::<String>())
     }
 }
 
-/// Sets from the faces of a request, where this program has cut ones.
+/// Sets also the glyphs of a request, where this program has some alone.
 pub(super) fn bring_all(faces: &Map<String, Value>) -> Result<(), Refusal> {
-    for (word, file) in faces {
-        let face = Face::ALL.into_iter().find(|face| face.word() == word);
-        let file = file.as_str().and_then(of_base64);
-        let malformed = || Refusal::Malformed { expected: "faces in base64", got: format!("`{word}`") };
-        let (face, file) = face.zip(file).ok_or_else(malformed)?;
-        bring(face, file);
+    for (name, piece) in faces {
+        let place = PACKED.iter().position(|known| known == name);
+        let piece = piece.as_str().and_then(of_base64);
+        let malformed = || Refusal::Malformed { expected: "glyphs in base64", got: format!("`{name}`") };
+        let (place, piece) = place.zip(piece).ok_or_else(malformed)?;
+        bring(place, &piece);
     }
     Ok(())
 }
 
 #[cfg(test)]
 mod tests {
+    use std::collections::{BTreeMap, BTreeSet};
     use std::fs;
     use std::path::Path;
 
-    use super::whole_faces;
+    use serde_json::json;
+    use tracefig_reference::random::Random;
+
+    use super::whole::needed;
+    use super::{bring_all, more_glyphs};
     use crate::figure::{draw, plan};
     use crate::geometry::DVec2;
-    use crate::output::inline;
+    use crate::output::of_base64;
     use crate::scene::{PROJECT_FILE, SceneFile, open, open_text};
-    use crate::typeset::{Face, Glyph, has};
+    use crate::typeset::{SAID, beyond};
 
     /// The scenes of a folder of this repository.
     fn scenes(folder: &str) -> Vec<SceneFile> {
@@ -93,65 +110,81 @@ mod tests {
         paths.iter().map(|path| open(path).unwrap()).collect()
     }
 
-    /// The glyphs of a picture, by the ids that it has them under: `m` for formulas and 12 is `id.m12`.
-    fn glyphs(svg: &str) -> Vec<Glyph> {
-        let places = svg.split("<use xlink:href=\"#").skip(1).filter_map(|rest| rest.split('"').next());
-        let glyph = |id: &str| {
-            let (_, glyph) = id.rsplit_once('.')?;
-            let faces = [('r', Face::Regular), ('s', Face::Semibold), ('m', Face::Math)];
-            let mut found = faces.into_iter().filter_map(|(letter, face)| {
-                glyph.strip_prefix(letter)?.parse().ok().map(|id| Glyph { face, id })
-            });
-            found.next()
-        };
-        places.filter_map(glyph).collect()
-    }
-
-    #[test]
-    fn most_figures_need_no_face_but_the_cut_ones() {
-        for folder in ["figures", "guide/src/reference/layers"] {
-            for file in scenes(folder) {
-                assert_eq!(whole_faces(&file), None, "{}", file.source.name);
+    /// What the module lacks to set all that a scene says, as it is and with its bodies elsewhere: all texts
+    /// that were set, seen in the end or not.
+    fn lacking(file: &SceneFile, r: &mut Random) -> BTreeSet<String> {
+        let needed = needed(file);
+        let mut scene = file.scene.clone();
+        SAID.with_borrow_mut(BTreeSet::clear);
+        for _ in 0..2 {
+            if let Ok(plan) = plan(&scene) {
+                let _ = draw(&plan, plan.theme, "f");
+            }
+            for (_, body) in &mut scene.shapes {
+                let mut far = || r.between(-1.0, 1.0) * [0.1, 1.0, 10.0][r.below(3)];
+                body.position += DVec2::new(far(), far());
+                body.velocity *= far();
             }
         }
-    }
-
-    #[test]
-    fn a_figure_that_sets_more_brings_the_faces_that_it_needs() {
-        let needed = |caption: &str| {
-            let text = format!(
-                "caption = '{caption}'\nshapes.A = {{ kind = 'circle', radius = 2 }}\n\
-                 query = {{ kind = 'bounds', of = ['A'] }}"
-            );
-            let faces = whole_faces(&open_text("s.toml", &text).unwrap());
-            faces.map(|faces| faces.as_object().unwrap().keys().cloned().collect::<Vec<_>>().join(" "))
+        let said = SAID.take();
+        assert!(!said.is_empty());
+        let lacks = |text: &String| {
+            crate::typeset::lacking(&needed, text).map(|glyph| format!("{glyph} in `{text}`"))
         };
-        assert_eq!(needed("größer als $\\frac{1}{2}\\,\\|v_{AB}\\|$, où l’objet {a|A} s’arrête"), None);
-        assert_eq!(needed("$\\mathfrak{A}$").as_deref(), Some("formulas"));
-        assert_eq!(needed("Жук").as_deref(), Some("regular semibold"));
+        said.iter().filter_map(lacks).collect()
     }
 
     #[test]
-    fn whatever_a_figure_says_in_any_language_wherever_its_bodies_are_is_in_the_cut_faces() {
-        let mut count = 0;
-        for file in scenes("figures") {
-            for (lang, off, speed) in
-                [("de", 0.0, 1.0), ("fr", 0.4, -1.0), ("es", 30.0, 1.0), ("en", -1.3, 3.0)]
-            {
+    fn whatever_a_figure_says_in_any_language_wherever_its_bodies_are_can_be_set_in_its_page() {
+        let mut r = Random::new(25);
+        for file in ["figures", "guide/src/reference/layers"].into_iter().flat_map(scenes) {
+            for lang in ["en", "de", "fr", "es", "zh"] {
                 let mut json = file.json_value();
                 json["lang"] = lang.into();
-                let mut scene = open_text("scene", &json.to_string()).unwrap().scene;
-                let body = &mut scene.shapes[0].1;
-                body.position += DVec2::new(off, 0.7 * off);
-                body.velocity *= speed;
-                let Ok(plan) = plan(&scene) else { continue };
-                let svg = inline(&draw(&plan, plan.theme, "f").drawing.finished()).unwrap();
-                for glyph in glyphs(&svg) {
-                    count += 1;
-                    assert!(has(glyph), "{}: {glyph:?} in {lang}", file.source.name);
-                }
+                let lacking = lacking(&open_text("scene", &json.to_string()).unwrap(), &mut r);
+                assert!(lacking.is_empty(), "{} in {lang}: {lacking:#?}", file.source.name);
             }
         }
-        assert!(count > 10_000, "{count}");
+    }
+
+    /// How many bytes of each face a page brings with a caption.
+    fn brought(caption: &str) -> BTreeMap<String, usize> {
+        let text = format!(
+            "caption = '{caption}'\nshapes.A = {{ kind = 'circle', radius = 2 }}\n\
+             query = {{ kind = 'bounds', of = ['A'] }}"
+        );
+        let faces = more_glyphs(&open_text("s.toml", &text).unwrap()).unwrap_or_default();
+        let faces = faces.as_object().cloned().unwrap_or_default().into_iter();
+        faces.map(|(name, piece)| (name, of_base64(piece.as_str().unwrap()).unwrap().len())).collect()
+    }
+
+    #[test]
+    fn a_page_brings_the_glyphs_that_the_module_lacks_and_no_others() {
+        assert_eq!(brought("A is at $(1, -2.5)$, {a|the box}’s end: $t_1 \\le r_A$"), BTreeMap::new());
+        let keys = |caption| brought(caption).into_keys().collect::<Vec<_>>().join(" ");
+        assert_eq!(keys("größer"), "words");
+        assert_eq!(keys("$\\mathfrak{A}$"), "formulas");
+        assert_eq!(keys("Жук $\\to$"), "formulas words");
+        let root = brought(r"$\sqrt{x}$")["formulas"];
+        assert!(
+            root < 300 && brought(r"$\sqrt{\frac{1}{x}}$")["formulas"] > root,
+            "larger roots are tried in turn"
+        );
+    }
+
+    #[test]
+    fn figures_bring_little() {
+        let sizes = |file: &SceneFile| beyond(&needed(file)).iter().map(|(_, piece)| piece.len()).sum();
+        let mut brought: Vec<usize> = scenes("figures").iter().map(sizes).collect();
+        brought.sort_unstable();
+        // Most have a few letters of formulas besides.
+        assert!(brought[brought.len() / 2] < 500 && brought[brought.len() - 1] < 2500, "{brought:?}");
+    }
+
+    #[test]
+    fn pieces_that_are_no_faces_are_refused() {
+        for faces in [json!({ "words": "*" }), json!({ "regular": "AAAA" }), json!({ "words": 1 })] {
+            assert!(bring_all(faces.as_object().unwrap()).is_err(), "{faces}");
+        }
     }
 }

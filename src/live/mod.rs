@@ -22,7 +22,7 @@ use crate::output::{OutputError, found_words, inline_with, svg_key, svg_with};
 use crate::scene::{SceneFile, open_text};
 
 #[cfg(not(tracefig_page))]
-pub use faces::whole_faces;
+pub use faces::more_glyphs;
 pub use refusal::Refusal;
 use request::{Inline, Look, Request};
 #[cfg(not(tracefig_page))]
@@ -106,8 +106,8 @@ impl Live {
     /// hash; without one it is the scene's own. With `"inline": {}` the picture is an element for the
     /// middle of a page (`output::inline`); with `"inline": {"words": ["a"]}` that page's style sheet sets
     /// its colours, those of words of these roles apart from those of lines, and says when it is dark. The
-    /// module of live pages has cut faces and English texts, and takes from `"faces"` the whole ones that the
-    /// scene needs besides ([`whole_faces`]) and from `"texts"` those of its language ([`foreign_texts`]).
+    /// module of live pages has few glyphs and English texts, and takes from `"faces"` the glyphs that the
+    /// scene needs besides ([`more_glyphs`]) and from `"texts"` those of its language ([`foreign_texts`]).
     /// The library itself has them all.
     /// An `"info"`, which the page reads itself, is passed over.
     ///

@@ -63,7 +63,7 @@ impl Inline {
 }
 
 impl Request {
-    /// Reads a request, sets from the faces that it brings and tells in its texts.
+    /// Reads a request, sets with the glyphs that it brings and tells in its texts.
     pub(super) fn read(text: &str) -> Result<Self, Refusal> {
         let written = serde_json::from_str(text)
             .map_err(|error| Refusal::Malformed { expected: EXPECTED, got: error.to_string() })?;

@@ -9,6 +9,8 @@ use std::sync::OnceLock;
 use latex_rust::{Dim, MathFont};
 use ttf_parser::{GlyphId, OutlineBuilder};
 
+#[cfg(tracefig_page)]
+use super::brought::file;
 use super::line::{Face, Glyph};
 use super::pairs::Pairs;
 
@@ -94,10 +96,12 @@ impl Loaded {
     }
 
     /// A face of words, or that of formulas, from the bytes of its file.
-    pub(super) fn load(face: Face, bytes: &'static [u8]) -> Option<Self> {
+    fn load(face: Face, bytes: &'static [u8]) -> Option<Self> {
+        // Packed faces of words have both weights.
+        let weight = u32::from(cfg!(tracefig_page) && face == Face::Semibold);
         let source = match face {
             Face::Regular | Face::Semibold => {
-                Source::Words(Box::new(ttf_parser::Face::parse(bytes, 0).ok()?))
+                Source::Words(Box::new(ttf_parser::Face::parse(bytes, weight).ok()?))
             }
             Face::Math => Source::Formulas(Box::new(MathFont::from_bytes(bytes).ok()?)),
         };
@@ -136,12 +140,6 @@ pub(super) fn file(face: Face) -> &'static [u8] {
     FILES[face as usize]
 }
 
-/// The file of a face: the one that a page brought, else the cut one.
-#[cfg(tracefig_page)]
-fn file(face: Face) -> &'static [u8] {
-    super::cut::brought(face).unwrap_or_else(|| super::cut::file(face))
-}
-
 /// A layout dimension in ems, as the nearest double or its neighbour: both parts of the rational are far
 /// below 2⁵³.
 #[expect(
@@ -153,7 +151,7 @@ pub(super) fn ems(dim: &Dim) -> f64 {
 }
 
 /// The outline of a glyph, with its bounds.
-pub(super) fn build(face: &ttf_parser::Face, id: u16) -> Outline {
+fn build(face: &ttf_parser::Face, id: u16) -> Outline {
     #[expect(clippy::cast_possible_truncation, reason = "a thousand is exact")]
     let scale = UNITS_PER_EM as f32 / f32::from(face.units_per_em());
     let mut pen = Pen { scale, outline: Outline::default(), low: [f32::MAX; 2], high: [f32::MIN; 2] };

@@ -78,6 +78,14 @@ fn set_new(latex: &str, offset: usize, size: f64) -> Result<Formula, TypesetErro
     Ok(writer.formula)
 }
 
+/// The boxes of the LaTeX between two dollar signs, with what stands for words among them.
+#[cfg(not(tracefig_page))]
+pub(super) fn layout(latex: &str) -> Option<MathBox> {
+    let taken = inner_words::take(latex, 0).ok()?;
+    let node = latex_rust::parse(&taken.latex).ok()?;
+    latex_rust::layout(&node, Loaded::of(Face::Math)?.math()?, MathStyle::Text).ok()
+}
+
 /// Right edge of a glyph's ink.
 fn right(placed: &PlacedGlyph) -> f64 {
     let [_, _, right, _] = placed.glyph.outline().bounds;

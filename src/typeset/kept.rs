@@ -48,6 +48,10 @@ struct Texts {
     glyphs: usize,
 }
 
+// All texts that tests of this thread have set, drawn in the end or not.
+#[cfg(test)]
+thread_local! { pub(crate) static SAID: RefCell<std::collections::BTreeSet<String>> = RefCell::default(); }
+
 thread_local! { static TEXTS: RefCell<Texts> = RefCell::default(); }
 
 /// Sets `markup` to be broken into lines, as [`wrap`](super::wrap) breaks it.
@@ -84,6 +88,8 @@ impl Kept {
 
 /// A text, set now or before.
 fn kept(markup: &str, style: Style, newlines: Newlines) -> Result<Rc<Kept>, TypesetError> {
+    #[cfg(test)]
+    SAID.with_borrow_mut(|said| said.insert(markup.to_owned()));
     let is_semibold = style.weight == Weight::Semibold;
     let key = Key { markup: markup.to_owned(), size: style.size.to_bits(), is_semibold, newlines };
     TEXTS.with_borrow_mut(|texts| {

@@ -57,20 +57,6 @@ pub enum Face {
     Math,
 }
 
-impl Face {
-    /// Every face.
-    pub(crate) const ALL: [Self; 3] = [Self::Regular, Self::Semibold, Self::Math];
-
-    /// Its word.
-    pub(crate) fn word(self) -> &'static str {
-        match self {
-            Self::Regular => "regular",
-            Self::Semibold => "semibold",
-            Self::Math => "formulas",
-        }
-    }
-}
-
 /// A glyph of an embedded face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Glyph {

@@ -9,7 +9,9 @@
 //! Glyphs are references into the embedded faces; [`Glyph::outline`] gives the contours, built once and kept.
 
 mod accents;
-mod cut;
+#[cfg(not(tracefig_page))]
+mod beyond;
+mod brought;
 mod draft;
 mod face;
 mod formula;
@@ -19,23 +21,31 @@ mod kept;
 mod language;
 mod line;
 mod markup;
+#[cfg(not(tracefig_page))]
+mod needed;
+#[cfg(not(tracefig_page))]
+mod own;
+#[cfg(not(tracefig_page))]
+mod packed;
 mod pairs;
 mod paragraph;
 mod plain;
 mod vec_accent;
-#[cfg(not(tracefig_page))]
-mod whole;
 mod words;
 
-pub(crate) use cut::bring;
+#[cfg(not(tracefig_page))]
+pub(crate) use beyond::beyond;
+#[cfg(test)]
+pub(crate) use beyond::lacking;
+pub(crate) use brought::{NAMES as PACKED, bring};
 pub(crate) use inner_words::{escaped, group};
+#[cfg(test)]
+pub(crate) use kept::SAID;
 pub(crate) use kept::{line, paragraph};
 pub(crate) use markup::{Piece, as_markup, ends_in_formula, pieces};
-pub(crate) use plain::{command_in_words, plain};
 #[cfg(not(tracefig_page))]
-pub(crate) use whole::beyond;
-#[cfg(test)]
-pub(crate) use whole::has;
+pub(crate) use needed::Glyphs;
+pub(crate) use plain::{command_in_words, plain};
 pub(crate) use words::advance_of;
 
 pub use face::{Outline, OutlineSegment, UNITS_PER_EM};

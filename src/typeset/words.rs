@@ -5,6 +5,7 @@
 //! names it, never an empty box.
 
 use ttf_parser::GlyphId;
+#[cfg(not(tracefig_page))]
 use ttf_parser::gpos::{PairAdjustment, PositioningSubtable};
 
 use super::accents::composed;
@@ -83,12 +84,25 @@ fn kerning(left: Glyph, right: Glyph) -> Option<f64> {
         return None;
     }
     let loaded = Loaded::of(left.face)?;
-    let units =
-        loaded.pairs.kerning((left.id, right.id), || rule(loaded, GlyphId(left.id), GlyphId(right.id)));
+    let ask = || rule(loaded, GlyphId(left.id), GlyphId(right.id));
+    let units = loaded.pairs.kerning((left.id, right.id), ask);
     units.map(|units| f64::from(units) * loaded.em())
 }
 
+/// The kerning of two glyphs of a face of words, in its units.
+#[cfg(not(tracefig_page))]
+pub(super) fn units(loaded: &Loaded, left: u16, right: u16) -> i16 {
+    rule(loaded, GlyphId(left), GlyphId(right)).unwrap_or(0)
+}
+
+/// The rule of a packed face for a pair, in its units.
+#[cfg(tracefig_page)]
+fn rule(loaded: &Loaded, left: GlyphId, right: GlyphId) -> Option<i16> {
+    loaded.face().kerning(left, right)
+}
+
 /// The rule of a face for a pair, in its units.
+#[cfg(not(tracefig_page))]
 fn rule(loaded: &Loaded, left: GlyphId, right: GlyphId) -> Option<i16> {
     let lookups = loaded.face().tables().gpos?.lookups;
     // The first subtable that covers the pair decides; the embedded faces have no other kind of lookup.
@@ -99,6 +113,7 @@ fn rule(loaded: &Loaded, left: GlyphId, right: GlyphId) -> Option<i16> {
 }
 
 /// The kerning of a pair in one table, in units of the face.
+#[cfg(not(tracefig_page))]
 fn pair(table: &PositioningSubtable, left: GlyphId, right: GlyphId) -> Option<i16> {
     let PositioningSubtable::Pair(adjustment) = table else { return None };
     match adjustment {
