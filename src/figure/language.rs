@@ -74,6 +74,7 @@ pub(crate) static WORDS: &[Row] = &rows([
     ["depth $=*", "$d =*", "Tiefe $=*", "profondeur $=*", "profundidad $=*"],
     ["distance $*", "$d *", "Abstand $*", "distance $*", "distancia $*"],
     ["gap $=*", "$*", "Lücke $=*", "écart $=*", "hueco $=*"],
+    ["gap $\\approx 0$", "$\\approx 0$", "Lücke $\\approx 0$", "écart $\\approx 0$", "hueco $\\approx 0$"],
     ["overlap $=*", "$*", "Überlappung $=*", "recouvrement $=*", "solapamiento $=*"],
     ["at least $*", "$\\ge *", "mindestens $*", "au moins $*", "al menos $*"],
     ["centres $*$ apart", "$*$", "Mitten $*$ entfernt", "centres distants de $*$", "centros a $*$"],

@@ -177,6 +177,11 @@ phrases! {
         "; die Bewegung endet bei t = *, während sie sich noch nähern, mit Abstand *",
         " ; le mouvement finit à t = * alors qu’ils se rapprochent encore, à une distance de *",
         "; el movimiento acaba en t = * mientras aún se acercan, a una distancia de *";
+    /// What is said more of a closest approach that may well be a touch.
+    BY_ROUNDING: ", no more than the rounding of their numbers",
+        ", nicht mehr als die Rundung ihrer Zahlen",
+        ", pas plus que l’arrondi de leurs nombres",
+        ", no más que el redondeo de sus números";
     /// Bodies that go away from each other.
     CLOSEST_FIRST: "; they are closest at the start, * apart",
         "; am nächsten sind sie sich am Anfang, mit Abstand *",

@@ -14,11 +14,11 @@ use crate::trace::Event;
 use super::body_phrases::AND;
 use super::number::Speech;
 use super::phrases::{
-    APART, APART_BY_ROUNDING, AT_MOMENT, BOX, CLOSEST, CLOSEST_FIRST, CLOSEST_WHILE, CONTACTS_0, CONTACTS_1,
-    CONTACTS_2, DEEP, DEEP_BY_ROUNDING, ENDS_EARLY, HIT, HIT_ALONG, HIT_SOMEWHERE, MISS, NO_FARTHER,
-    NO_NEARER, NO_OVERLAP, NO_OVERLAP_BY, OVERLAP, OVERLAP_AND, OVERLAP_FIRST, PUSH, PUSH_ANY, PUSH_OF_MANY,
-    ROUNDING, STALLED, STAY, STEP_CAP, TOLERANCE, TOUCH, TOUCH_FIRST, TOUCH_OF_MANY, UNDECIDED, UNRESOLVED,
-    UNRESOLVED_DEEP, UNSAID,
+    APART, APART_BY_ROUNDING, AT_MOMENT, BOX, BY_ROUNDING, CLOSEST, CLOSEST_FIRST, CLOSEST_WHILE, CONTACTS_0,
+    CONTACTS_1, CONTACTS_2, DEEP, DEEP_BY_ROUNDING, ENDS_EARLY, HIT, HIT_ALONG, HIT_SOMEWHERE, MISS,
+    NO_FARTHER, NO_NEARER, NO_OVERLAP, NO_OVERLAP_BY, OVERLAP, OVERLAP_AND, OVERLAP_FIRST, PUSH, PUSH_ANY,
+    PUSH_OF_MANY, ROUNDING, STALLED, STAY, STEP_CAP, TOLERANCE, TOUCH, TOUCH_FIRST, TOUCH_OF_MANY, UNDECIDED,
+    UNRESOLVED, UNRESOLVED_DEEP, UNSAID,
 };
 
 /// How fast bodies must come nearer to be said to, in parts of how fast they pass each other: far above what
@@ -244,14 +244,17 @@ fn closest_in_words(told: &Account) -> String {
         Event::ClosestApproachFound { at, bounds, normal, points, .. } => {
             let closing = closing(told.scene, at.time, *normal, *points);
             let span = as_near(told.scene, at.time, bounds.hi);
-            Some((at.time, speech.number(bounds.lo, bounds.hi), closing, span))
+            let is_rounding = bounds.hi <= told.scene.query_at(at.time).rounding();
+            let rounding = if is_rounding { speech.say(&BY_ROUNDING, &[]) } else { String::new() };
+            let apart = speech.number(bounds.lo, bounds.hi);
+            Some((at.time, apart, closing, span, rounding))
         }
         _ => None,
     });
-    let Some((time, apart, closing, span)) = found else { return String::new() };
+    let Some((time, apart, closing, span, rounding)) = found else { return String::new() };
     let query = told.scene.query_at(0.0);
     let rests = |b: &Body| query.a.velocity == b.velocity && query.a.spin.is_zero() && b.spin.is_zero();
-    if query.b.is_some_and(rests) {
+    let how = if query.b.is_some_and(rests) {
         speech.say(&STAY, &[&apart])
     } else if time >= 1.0 && closing > 0.0 {
         speech.say(&ENDS_EARLY, &[&speech.value(time), &apart])
@@ -261,7 +264,8 @@ fn closest_in_words(told: &Account) -> String {
         speech.say(&CLOSEST_WHILE, &[&speech.value(from), &speech.value(to), &apart])
     } else {
         speech.say(&CLOSEST, &[&speech.value(time), &apart])
-    }
+    };
+    how + &rounding
 }
 
 /// From when to when bodies that do not turn are as near as at `time`, as far as proofs tell; `None` where

@@ -6,7 +6,7 @@
 use crate::drawing::Role;
 use crate::figure::context::{Approach, Context};
 use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, MARKER, Marker, Pen, Sketch};
-use crate::figure::text::number;
+use crate::figure::text::{Quantity, number};
 use crate::geometry::{DVec2, Side};
 use crate::scene::{Space, When};
 
@@ -78,7 +78,9 @@ fn on_the_ray(sketch: &mut Sketch, context: &Context, options: &Options, closest
 
 /// The least distance, and when it is; bodies that move as one have it at all times.
 fn label((context, closest): (&Context, &Approach), anchor: Anchor, role: Role) -> Label {
-    let mut lines = vec![format!("$d = {}$", number(closest.separation))];
+    let rounding = context.scene.query_at(closest.time).rounding();
+    let d = Quantity::exactly(closest.separation).equals(rounding);
+    let mut lines = vec![format!("$d {d}$")];
     if context.turns() || context.closing_velocity() != DVec2::ZERO {
         lines.push(format!("$t = {}$", number(closest.time)));
     }

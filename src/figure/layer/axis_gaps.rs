@@ -9,7 +9,7 @@
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, Outline, Pen, Sketch, Wash, Weight};
-use crate::figure::text::number;
+use crate::figure::text::Quantity;
 use crate::geometry::{DVec2, Side};
 use crate::trace::Event;
 
@@ -258,8 +258,9 @@ fn bars(context: &Context, options: &Options, e: Extents) -> Vec<Bar> {
         (false, _) => ([1.0, 1.0, 1.0, LAST[1]], [Outward; 4]),
     };
     let pens = [half[0], Pen::highlighted(e.role), half[1], Pen::dimension(Role::Ink)];
+    let rounding = context.scene.query_at(context.time).rounding();
     let bar = |i: usize| {
-        let text = format!("${} = {}$", symbols[i], number(lengths[i]));
+        let text = format!("${} {}$", symbols[i], Quantity::exactly(lengths[i]).equals(rounding));
         Bar { key: keys[i], text, ends: ends[i], track: tracks[i], pen: pens[i], beside: places[i] }
     };
     (0..keys.len()).map(bar).collect()

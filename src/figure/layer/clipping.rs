@@ -6,7 +6,7 @@
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{
-    Anchor, LARGE_MARKER, Label, MARKER, Marker, Pen, Rank, Size, Sketch, Weight, left_of,
+    Anchor, LARGE_MARKER, Label, MARKER, Marker, Pen, Rank, SMALL_MARKER, Size, Sketch, Weight, left_of,
 };
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side, perp};
@@ -281,7 +281,10 @@ fn depth(
     let role = options.role(Role::Translation);
     sketch.detail(&[point.over, point.at]);
     sketch.part("depth").bar(point.over, point.at, 0.0, Pen::dimension(role).width(1.75));
-    sketch.part("contact-point").marker(point.at, of(body), body.into(), MARKER);
+    // A marker is as wide as a short depth is long, and would hide it.
+    let is_short = sketch.on_page(point.over.distance(point.at)) < sketch.fitted(2.0 * MARKER);
+    let size = if is_short { SMALL_MARKER } else { MARKER };
+    sketch.part("contact-point").marker(point.at, of(body), body.into(), size);
     let anchor = if point.at == point.over {
         Anchor::point_toward(point.at, toward)
     } else {

@@ -13,7 +13,7 @@ use crate::trace::Event;
 
 use super::difference::difference;
 use super::polytope::PUSHED;
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
+use super::{Fed, LabelKey, Layer, ONE_OF_SEVERAL, OptionSpec, Options, Shows, Takes, Tells};
 
 /// The least length that can be told from none, page pixels: half the width of an outline.
 const UNSEEN: f64 = 1.0;
@@ -72,6 +72,8 @@ pub(super) struct Nearest {
     pub(super) text: String,
     /// Whether the bodies overlap, by a proved depth.
     pub(super) overlap: bool,
+    /// Whether they overlap and other ways out are as short.
+    pub(super) ties: bool,
 }
 
 /// From the origin at the panel's moment to the nearest point of B ⊖ A then: the last, so the best, candidate
@@ -89,7 +91,8 @@ pub(super) fn nearest(context: &Context) -> Option<Nearest> {
     };
     let text = asked_distance(context, &answer)
         .unwrap_or_else(|| distance_or_depth(&answer, context.scene.query_at(context.time).rounding()));
-    Some(Nearest { foot, text, overlap: answer.bounds.hi < 0.0 })
+    let overlap = answer.bounds.hi < 0.0;
+    Some(Nearest { foot, text, overlap, ties: overlap && answer.ties != 1 })
 }
 
 /// What is said beside the length of bodies that seem to touch on the page, where they are known not to.
@@ -101,7 +104,7 @@ pub(super) fn unseen(sketch: &Sketch, context: &Context, answer: &Separation) ->
 }
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
-    let Some(Nearest { foot, text, overlap }) = nearest(context) else { return };
+    let Some(Nearest { foot, text, overlap, ties }) = nearest(context) else { return };
     let role = options.role(Role::Translation);
     let run = context.separation_at(context.time);
     sketch.since(run.as_ref().map(|run| run.end()));
@@ -127,7 +130,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.detail(&[from, to]);
     let answer = context.separation_at(context.time).and_then(|run| run.separation().copied());
     let said = answer.and_then(|answer| unseen(sketch, context, &answer));
-    let lines = std::iter::once(text).chain(said).collect();
+    let ties = ties.then(|| ONE_OF_SEVERAL.to_owned());
+    let lines = std::iter::once(text).chain(said).chain(ties).collect();
     let label = Label { lines, ..Label::new("d", "", Anchor::middle(from, to), role) };
     sketch.label(match options.words("text") {
         Some(lines) => label.given(lines),

@@ -58,7 +58,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
     let from = theirs.points.map(|[p, _]| p).or(ours.map(|ours| ours.points[0]));
     if let (Some(n), Some(from)) = (theirs.normal, from) {
-        normal(sketch, from, *n, ("n'", "$n'$", role));
+        normal(sketch, from, *n, ("n'", "expected $n'$", role));
         if let Some(ours) = &ours {
             normal(sketch, ours.points[0], *ours.normal, ("n", "$n$", Role::Translation));
         }

@@ -12,9 +12,8 @@ use crate::scene::Space;
 
 use super::difference::{difference, origins};
 use super::half_extents::ON_LINE;
-use super::normal::ONE_OF_SEVERAL;
 use super::vertices::mean;
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
+use super::{Fed, LabelKey, Layer, ONE_OF_SEVERAL, OptionSpec, Options, Shows, Takes, Tells, part};
 
 pub(super) const LAYER: Layer = Layer {
     name: "feature",

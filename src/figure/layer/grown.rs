@@ -214,7 +214,7 @@ fn cross((p, q): (DVec2, DVec2), (r, s): (DVec2, DVec2)) -> bool {
 /// Draws the way from B's point to the nearest point of the grown A: a length, or, from within, the minimum
 /// translation of B.
 fn distance(sketch: &mut Sketch, context: &Context, found: &Difference, b: DVec2) {
-    let Some(Nearest { foot, text, overlap }) = nearest(context) else { return };
+    let Some(Nearest { foot, text, overlap, .. }) = nearest(context) else { return };
     let (to, role) = (b - foot, Role::Translation);
     if let Some(leg) = leg(found, DVec2::ZERO, foot) {
         sketch.part("right-angle").right_angle(to, -leg, foot);

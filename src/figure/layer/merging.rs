@@ -12,6 +12,7 @@ use crate::geometry::{DVec2, Side};
 use super::difference::draw_edge;
 use super::edge_fan::{Merged, merged};
 use super::half_extents::ON_LINE;
+use super::vertices::mean;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of, part};
 
 /// Opacity of the edge that is not taken.
@@ -94,7 +95,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
     if let Some(first) = all.first().filter(|_| before > 0) {
         sketch.since(first.cue);
-        let label = Label::new("start", "start", Anchor::point(first.at), Role::Muted);
+        let middle = mean(&all.iter().map(|edge| edge.at).collect::<Vec<_>>());
+        let anchor = Anchor::point_toward(first.at, first.at - middle);
+        let label = Label::new("start", "start", anchor, Role::Muted);
         sketch.label(label.rank(Rank::Word).size(Size::Note));
     }
 }

@@ -137,6 +137,9 @@ pub struct Layer {
 /// The word of a layer that draws something at every step of the algorithm.
 const STEPS: &str = "steps";
 
+/// What is said of an answer that ties with others.
+const ONE_OF_SEVERAL: &str = "one of several";
+
 /// Every layer, in the order of `tracefig list`.
 pub static LAYERS: &[Layer] = &[
     shapes::LAYER,

@@ -10,7 +10,7 @@ use crate::geometry::{DVec2, Side};
 use crate::scene::When;
 
 use super::separation::{NO_EDGE, edges};
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
+use super::{Fed, LabelKey, Layer, ONE_OF_SEVERAL, OptionSpec, Options, Shows, Takes, Tells};
 
 /// Drawn length of the unit vector where the scene does not say, world units: its own.
 const LENGTH: f64 = 1.0;
@@ -19,9 +19,6 @@ const FITTED: f64 = 40.0;
 /// How far from a closest point on an edge the arrow may start to start there, in parts of the edge: some
 /// roundings, and far below what is seen.
 const ON_EDGE: f64 = 1e-9;
-
-/// What is said of an answer that ties with others.
-pub(super) const ONE_OF_SEVERAL: &str = "one of several";
 
 pub(super) const LAYER: Layer = Layer {
     name: "normal",
@@ -206,13 +203,15 @@ mod tests {
                 "shapes.a = {{ kind = 'box', half_extents = [1, 1] }}
                 shapes.b = {{ kind = 'box', half_extents = [1, 1], position = {position} }}
                 query = {{ kind = 'separation', of = ['a', 'b'] }}
-                panels = [{{ layers = ['normal', 'feature'] }}]"
+                panels = [{{ layers = ['normal', 'feature', 'separation'] }}]"
             );
             let scene = open_text("normal", &text).unwrap().scene;
             let plan = plan(&scene).unwrap();
             let labels = labels(&draw(&plan, plan.theme, "normal"));
             let said = |key: &str| !labels[key].0.ends_with(" one of several");
             assert_eq!((said("n"), said("feature.A")), (alone, alone), "{position}: {labels:?}");
+            // Bodies that touch need no push, and have no other.
+            assert_eq!(said("d"), alone || position == "[2, 2]", "{position}: {labels:?}");
         }
     }
 }

@@ -12,7 +12,7 @@ use crate::figure::cue::Cue;
 use crate::figure::sketch::{
     Anchor, Label, MARKER, Marker, Outline, Pen, Rank, SMALL_MARKER, Size, Sketch, Wash, Weight,
 };
-use crate::figure::text::number;
+use crate::figure::text::{Quantity, number};
 use crate::geometry::{DVec2, perp};
 use crate::trace::Event;
 
@@ -195,10 +195,11 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
     // Of rounded bodies the depth is more, by their radii.
     let left =
         if rounded { format!(" - {}", radii_in_words(context).replace(" + ", " - ")) } else { String::new() };
+    let rounding = context.scene.query_at(context.time).rounding();
     // Before the last step it is only a bound of the depth.
     let d = match step.beyond {
         Some(_) => format!(r"$d{left} \ge {}$", number(step.distance)),
-        None => format!("$d{left} = {}$", number(step.distance)),
+        None => format!("$d{left} {}$", Quantity::exactly(step.distance).equals(rounding)),
     };
     sketch.label(Label::new("d", d, beside, Role::Translation));
     let [least, most] = READABLE.map(|px| sketch.px(px));

@@ -11,7 +11,7 @@ use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::cue::Cue;
 use crate::figure::sketch::{Anchor, Label, Pen, Rank, Size, Sketch};
-use crate::figure::text::{number, terms};
+use crate::figure::text::{Quantity, terms};
 use crate::geometry::{DVec2, Enclosure, Feature, Side, perp};
 use crate::trace::Event;
 
@@ -218,7 +218,8 @@ fn draw_axis(sketch: &mut Sketch, (context, options): (&Context, &Options), t: &
     let role = if is_asked { Role::Ink } else { Role::Translation };
     let pen = if joined { Pen::highlighted(role) } else { Pen::dimension(role).width(1.5) };
     let distance = context.separation_at(context.time).and_then(|run| run.separation().map(|s| s.separation));
-    measure(sketch, t, ((values, distance), pen, low), at);
+    let rounding = context.scene.query_at(context.time).rounding();
+    measure(sketch, t, ((values, distance, rounding), pen, low), at);
     if values {
         numbers(sketch, ([t.a.hi, t.b.lo], t.gap), (t.n, down, TRACK), at);
         zero(sketch, (first, last), down, at);
@@ -276,23 +277,27 @@ fn beside_bodies(sketch: &Sketch, context: &Context, t: &Tested, points: &[DVec2
 fn measure(
     sketch: &mut Sketch,
     t: &Tested,
-    ((values, distance), pen, track): ((bool, Option<f64>), Pen, f64),
+    ((values, distance, rounding), pen, track): ((bool, Option<f64>, f64), Pen, f64),
     at: impl Fn(f64, f64) -> DVec2,
 ) {
     let (p, q) = (at(t.a.hi, track), at(t.b.lo, track));
     sketch.part("gap").bar(p, q, 0.0, pen);
     let out = at(0.0, 1.0) - at(0.0, 0.0);
-    let word = match t.gap < 0.0 {
-        true if t.a.lo <= t.b.lo && t.a.hi <= t.b.hi => "overlap $=",
-        true => "depth $=",
-        false => "gap $=",
+    let word = match t.gap < -rounding {
+        true if t.a.lo <= t.b.lo && t.a.hi <= t.b.hi => "overlap",
+        true => "depth",
+        false => "gap",
     };
     // Subtracted so that what is left is positive.
     let (more, less) = if t.gap < 0.0 { (t.a.hi, t.b.lo) } else { (t.b.lo, t.a.hi) };
     let ([from, text], result) = terms([more, less], t.gap.abs());
     let minus = if less < 0.0 { format!("- ({text})") } else { format!("- {text}") };
-    let sum = if values { format!("{from} {minus} = {result}") } else { number(t.gap.abs()) };
-    let mut lines = vec![format!("{word} {sum}$")];
+    let equals = match Quantity::exactly(t.gap.abs()).equals(rounding) {
+        equals if !values => equals,
+        equals if t.gap != 0.0 && t.gap.abs() <= rounding => format!("= {from} {minus} {equals}"),
+        _ => format!("= {from} {minus} = {result}"),
+    };
+    let mut lines = vec![format!("{word} ${equals}$")];
     if t.b.hi < t.a.lo {
         // Apart the other way round: another edge tells of that gap.
         lines.push("(the edge faces away)".to_owned());

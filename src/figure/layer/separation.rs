@@ -20,7 +20,7 @@ use crate::scene::When;
 use super::closest::{WayOut, longer, longer_way, unseen};
 use super::depth_disc::{disc, disc_place};
 use super::difference::difference;
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, STEPS, Shows, Takes, Tells};
+use super::{Fed, LabelKey, Layer, ONE_OF_SEVERAL, OptionSpec, Options, STEPS, Shows, Takes, Tells};
 
 /// At how many steps the separation is drawn; the later ones are a blur at the contact.
 const MOST: usize = 5;
@@ -207,7 +207,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let text = asked_distance(context, &answer).unwrap_or(text);
     // On the outer side of a line that is moved aside; a long text on a short arrow beyond one of its ends.
     let anchor = Anchor::Beside { from: q, to: p, offset };
-    let lines = std::iter::once(text).chain(unseen(sketch, context, &answer)).collect();
+    let ties = (answer.bounds.hi < 0.0 && answer.ties != 1).then(|| ONE_OF_SEVERAL.to_owned());
+    let lines = std::iter::once(text).chain(unseen(sketch, context, &answer)).chain(ties).collect();
     let label = Label { lines, ..Label::new(key, "", anchor, role) };
     sketch.since(run.end()).label(match options.words("text") {
         Some(lines) => label.given(lines),

@@ -26,9 +26,9 @@ pub(crate) use hand::{Hand, TOLD, USUAL, WHOLE};
 use motion::{advanced, closest_approach, compared, motion, ray, swept};
 use phrases::events::{
     AXIS, BOTTOM, BOX, CLAMPED, DIFFERENCE_EDGE, DISC, FINISHED, GAP, LEAST_PENETRATING, LEAST_POSITIVE,
-    LEFT, MERGED, NO_MORE, OUTCOMES, OVERLAP, PENETRATION, POLYTOPE, PROJECTED, RIGHT, ROUNDED, SEPARATED,
-    SETTLED, SIMPLEX, SIMPLEX_HOLDS, SPLITS, SQUARES, STARTED, SUPPORT, TIE, TOGETHER, TOP, TURNS_MORE,
-    WAY_OUT,
+    LEFT, MERGED, NO_MORE, OUTCOMES, OVERLAP, PENETRATION, POLYTOPE, POLYTOPE_GROWN, PROJECTED, RIGHT,
+    ROUNDED, SEPARATED, SETTLED, SIMPLEX, SIMPLEX_HOLDS, SPLITS, SQUARES, STARTED, SUPPORT, TIE, TOGETHER,
+    TOP, TURNS_MORE, WAY_OUT,
 };
 pub(crate) use place::place;
 pub(crate) use words::{Voice, script};
@@ -282,6 +282,10 @@ fn axis_tested(
     voice.say(&AXIS, &[&axis, &part, &of, &first, &a, &second, &b, &between])
 }
 
+/// Vertices of a polytope that are told: those of the simplex that it begins with. What is added later was
+/// told as the vertex that splits an edge.
+const FIRST: usize = 3;
+
 /// A step of EPA: the polytope, its nearest edge, and the vertex beyond that.
 fn polytope(
     voice: Voice,
@@ -296,7 +300,11 @@ fn polytope(
         voice.word(&WAY_OUT)
     };
     let (count, points) = (vertices.len().to_string(), voice.points(vertices));
-    voice.say(&POLYTOPE, &[&count, &points, &voice.length(nearest), &voice.point(normal), &then])
+    let (nearest, normal) = (voice.length(nearest), voice.point(normal));
+    if vertices.len() > FIRST {
+        return voice.say(&POLYTOPE_GROWN, &[&count, &nearest, &normal, &then]);
+    }
+    voice.say(&POLYTOPE, &[&count, &points, &nearest, &normal, &then])
 }
 
 /// The sentence of a bounding box.

@@ -80,6 +80,26 @@ fn what_rounding_leaves_of_a_place_on_a_line_has_no_digits_and_no_side() {
 }
 
 #[test]
+fn a_polytope_tells_the_vertices_that_no_sentence_before_it_told() {
+    let told = |count: usize| {
+        let vertices = [[2.0, 0.0], [0.0, 2.0], [-2.0, -1.0], [1.0, -3.0]].map(DVec2::from);
+        let event = Event::PolytopeExpanded {
+            vertices: vertices[..count].to_vec(),
+            edge: 0,
+            nearest: 0.5,
+            normal: DVec2::X,
+            support: DVec2::new(1.0, -3.0),
+            beyond: 0.5,
+        };
+        sentence(&event, &Names::default())
+    };
+    assert!(
+        told(3).starts_with("The polytope has 3 vertices, (2, 0) (0, 2) (-2, -1); its nearest edge is 0.5")
+    );
+    assert!(told(4).starts_with("The polytope has 4 vertices; its nearest edge is 0.5 from"), "{}", told(4));
+}
+
+#[test]
 fn a_simplex_around_the_origin_looks_nowhere_further() {
     let (vertices, direction) = (vec![DVec2::X, DVec2::NEG_X], DVec2::ZERO);
     let event = Event::SimplexUpdated { vertices, closest: DVec2::ZERO, direction };

@@ -51,6 +51,20 @@ fn bodies_as_near_to_touching_as_their_numbers_are_rounded_are_said_to_be() {
 }
 
 #[test]
+fn a_way_as_near_as_its_numbers_are_rounded_is_said_to_be() {
+    let past = |y: &str| {
+        said(&format!(
+            "shapes.ball = {{ kind = 'circle', radius = 0.3, position = [-2, {y}], velocity = [4, 0] }}
+            shapes.box = {{ kind = 'box', half_extents = [0.8, 1] }}
+            query = {{ kind = 'linear-sweep', of = ['ball', 'box'] }}"
+        ))
+    };
+    let by = "5.55 × 10^−17 apart, no more than the rounding of their numbers.";
+    assert!(past("1.3").ends_with(by), "{}", past("1.3"));
+    assert!(past("1.4").ends_with("0.1 apart."), "{}", past("1.4"));
+}
+
+#[test]
 fn a_touch_of_vertices_has_several_normals() {
     let boxes = |y: &str| {
         said(&format!(

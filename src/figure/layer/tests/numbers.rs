@@ -8,7 +8,7 @@ use tracefig_reference::random::Random;
 use crate::collision::naive::{self, Claim};
 use crate::collision::{ALGORITHMS, Answer, Outcome, Query, QueryKind, Separation, When as Asked};
 use crate::figure::context::Context;
-use crate::figure::layer::{LAYERS, Layer, Shows, is_chart};
+use crate::figure::layer::{LAYERS, Layer, ONE_OF_SEVERAL, Shows, is_chart};
 use crate::figure::{plan, random_scenes};
 use crate::geometry::{Body, DVec2, Side};
 use crate::scene::{LayerSpec, Panel, Scene, Source, Space, Spanned, Value, When, read};
@@ -328,8 +328,9 @@ fn every_number_of_a_label_is_that_of_its_panels_moment() {
         for (index, panel) in plan.panels.iter().enumerate() {
             let context = panel.context(&scene, &plan.runs);
             let all = labels_of(panel.sketch(&context, plan.theme), panel);
-            // What is said in brackets of a number has none.
-            for (layer, key, text) in all.into_iter().filter(|(.., text)| !text.starts_with('(')) {
+            // What is said in brackets of a number has none, nor that it ties.
+            let says_more = |text: &str| text.starts_with('(') || text == ONE_OF_SEVERAL;
+            for (layer, key, text) in all.into_iter().filter(|(.., text)| !says_more(text)) {
                 let number = last_number(&text);
                 match expected(&context, layer, key, &text) {
                     Some(exact) => {

@@ -24,6 +24,30 @@ fn of_axes_that_tie_the_projection_is_onto_the_one_that_the_sentence_names() {
 }
 
 #[test]
+fn no_label_has_a_number_that_rounding_made() {
+    // 0.1 + 0.2 is not 0.3, as numbers are written; along x and by the circle's radius.
+    let boxes = "shapes.A = { kind = 'aabb', half_extents = [0.1, 0.1] }
+        shapes.B = { kind = 'aabb', half_extents = [0.2, 0.2], position = [0.3, 0.05] }";
+    let round = "shapes.A = { kind = 'aabb', half_extents = [0.1, 0.1] }
+        shapes.B = { kind = 'circle', radius = 0.2, position = [0.3, 0.05] }";
+    let circles = "shapes.A = { kind = 'circle', radius = 1 }
+        shapes.B = { kind = 'circle', radius = 0.5, position = [1.2, 0.9] }";
+    let polygons = ["closest-features", "extents", "merge", "minkowski", "separating-axes", "gjk"];
+    let all = polygons.iter().map(|by| (boxes, *by)).chain([(round, "clamp"), (circles, "circles")]);
+    let mut wrong = Vec::new();
+    for (bodies, by) in all {
+        let text =
+            format!("{bodies}\nquery = {{ kind = 'separation', of = ['A', 'B'], algorithm = '{by}' }}");
+        let scene = open_text("rounding", &text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let labels = labels(&draw(&plan, plan.theme, "rounding"));
+        wrong
+            .extend(labels.into_iter().filter(|label| label.1.0.contains("10^{-1")).map(|label| (by, label)));
+    }
+    assert!(wrong.is_empty(), "{wrong:?}");
+}
+
+#[test]
 fn of_opposite_edges_with_one_gap_the_normal_stands_on_the_one_that_the_trace_names() {
     let text = "shapes.A = { kind = 'regular-polygon', edges = 3, circumradius = 1 }
          shapes.B = { kind = 'box', half_extents = [0.7, 0.4], position = [1.6, 0.2], angle_deg = 30 }

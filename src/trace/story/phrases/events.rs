@@ -139,6 +139,12 @@ phrases! {
         "Das Polytop hat * Ecken, *; seine nächste Kante ist * vom Ursprung entfernt, entlang *; *.",
         "Le polytope a * sommets, * ; son arête la plus proche est à * de l’origine le long de * ; *.",
         "El politopo tiene * vértices, *; su arista más cercana está a * del origen a lo largo de *; *.";
+    /// A polytope that has grown by the vertices that were told before: count, how near its nearest edge is,
+    /// along what, and what is beyond.
+    POLYTOPE_GROWN: "The polytope has * vertices; its nearest edge is * from the origin along *; *.",
+        "Das Polytop hat * Ecken; seine nächste Kante ist * vom Ursprung entfernt, entlang *; *.",
+        "Le polytope a * sommets ; son arête la plus proche est à * de l’origine le long de * ; *.",
+        "El politopo tiene * vértices; su arista más cercana está a * del origen a lo largo de *; *.";
     /// A vertex lies beyond: which, by how much.
     SPLITS: "farthest there is *, * beyond it: it splits the edge",
         "am weitesten dort liegt *, um * dahinter: Sie teilt die Kante",
