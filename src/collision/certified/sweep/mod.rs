@@ -97,7 +97,9 @@ impl<'s> Sweep<'s> {
     fn the_other_way_round(&self) -> Option<Outcome> {
         let other = Sweep::new(self.pair.b, self.pair.a);
         let decided = match other.entry().outcome(&other.pair) {
-            Outcome::Unresolved { .. } => impact::by_axes(other.pair.a, other.pair.b),
+            Outcome::Unresolved { .. } => {
+                exact::outcome(&other.pair).or_else(|| impact::by_axes(other.pair.a, other.pair.b))
+            }
             decided => Some(decided),
         };
         decided.map(Outcome::swapped)
@@ -148,6 +150,17 @@ mod tests {
         for sweep in [Sweep::new(&a, &b), Sweep::new(&b, &a)] {
             let Outcome::Hit { time, .. } = sweep.first_contact() else { panic!("they meet") };
             assert!(time.hi - time.lo < 1e-15, "{time:?}");
+        }
+    }
+
+    #[test]
+    fn a_segment_much_longer_than_any_gap_is_missed_in_both_orders() {
+        // No axis at hand told them apart with the upper one called A.
+        let edge = polygon(&[[2.023_162_713_892_851_5e-48, 1.875], [-2.8125, 4.0]], 0.0);
+        let a = moving(placed(edge, 0.0, 0.0, 0.0), [0.0, -1e-118], 0.0);
+        let b = placed(polygon(&[[-8.422_846_920_471_272e26, -0.59], [0.0, 0.0]], 0.0), 0.0, 0.0, 0.0);
+        for sweep in [Sweep::new(&a, &b), Sweep::new(&b, &a)] {
+            assert_eq!(sweep.first_contact(), Outcome::Miss);
         }
     }
 
