@@ -42,6 +42,11 @@ phrases! {
         "* und * sind * voneinander entfernt, entlang der Normalen *.",
         "* et * sont à une distance de * le long de la normale *.",
         "* y * están a una distancia de * a lo largo de la normal *.";
+    /// Bodies that are apart where edge faces edge, so that no pair of points alone is the closest one.
+    APART_ALONG: "* and * are * apart along the normal *, edge to edge.",
+        "* und * sind * voneinander entfernt, entlang der Normalen *, Kante an Kante.",
+        "* et * sont à une distance de * le long de la normale *, arête contre arête.",
+        "* y * están a una distancia de * a lo largo de la normal *, arista contra arista.";
     /// Bodies that overlap, and the push.
     OVERLAP_AND: "* and * overlap; *.",
         "* und * überlappen sich; *.",

@@ -7,18 +7,18 @@ use crate::figure::question::is_of_a_moment;
 use crate::figure::runs::{Run, Runs};
 use crate::figure::text::named;
 use crate::figure::touching::{Touching, touching};
-use crate::geometry::{Body, DVec2, Names, Side, begun, perp};
+use crate::geometry::{Body, DVec2, Feature, Names, Side, begun, perp};
 use crate::scene::Scene;
 use crate::trace::Event;
 
 use super::body_phrases::AND;
 use super::number::Speech;
 use super::phrases::{
-    APART, APART_BY_ROUNDING, AT_MOMENT, BOX, BY_ROUNDING, CLOSEST, CLOSEST_FIRST, CLOSEST_WHILE, CONTACTS_0,
-    CONTACTS_1, CONTACTS_2, DEEP, DEEP_BY_ROUNDING, ENDS_EARLY, HIT, HIT_ALONG, HIT_SOMEWHERE, MISS,
-    NO_FARTHER, NO_NEARER, NO_OVERLAP, NO_OVERLAP_BY, OVERLAP, OVERLAP_AND, OVERLAP_FIRST, PUSH, PUSH_ANY,
-    PUSH_OF_MANY, ROUNDING, STALLED, STAY, STEP_CAP, TOLERANCE, TOUCH, TOUCH_FIRST, TOUCH_OF_MANY, UNDECIDED,
-    UNRESOLVED, UNRESOLVED_DEEP, UNSAID,
+    APART, APART_ALONG, APART_BY_ROUNDING, AT_MOMENT, BOX, BY_ROUNDING, CLOSEST, CLOSEST_FIRST,
+    CLOSEST_WHILE, CONTACTS_0, CONTACTS_1, CONTACTS_2, DEEP, DEEP_BY_ROUNDING, ENDS_EARLY, HIT, HIT_ALONG,
+    HIT_SOMEWHERE, MISS, NO_FARTHER, NO_NEARER, NO_OVERLAP, NO_OVERLAP_BY, OVERLAP, OVERLAP_AND,
+    OVERLAP_FIRST, PUSH, PUSH_ANY, PUSH_OF_MANY, ROUNDING, STALLED, STAY, STEP_CAP, TOLERANCE, TOUCH,
+    TOUCH_FIRST, TOUCH_OF_MANY, UNDECIDED, UNRESOLVED, UNRESOLVED_DEEP, UNSAID,
 };
 
 /// How fast bodies must come nearer to be said to, in parts of how fast they pass each other: far above what
@@ -147,7 +147,9 @@ fn separation_in_words([a, b]: [&str; 2], s: &Separation, pushed: (Side, usize),
     } else if hi < 0.0 && -lo <= rounding {
         speech.say(&DEEP_BY_ROUNDING, &[a, b, &speech.number(-hi, -lo)])
     } else if lo > 0.0 {
-        speech.say(&APART, &[a, b, &speech.number(lo, hi), &speech.vector(*s.normal)])
+        let is_along = matches!(s.features, [Feature::Edge(_), Feature::Edge(_)]);
+        let phrase = if is_along { &APART_ALONG } else { &APART };
+        speech.say(phrase, &[a, b, &speech.number(lo, hi), &speech.vector(*s.normal)])
     } else if hi < 0.0 {
         speech.say(&OVERLAP_AND, &[a, b, &push([a, b], s, pushed, speech)])
     } else if s.ties > 1 {

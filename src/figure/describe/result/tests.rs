@@ -65,6 +65,19 @@ fn a_way_as_near_as_its_numbers_are_rounded_is_said_to_be() {
 }
 
 #[test]
+fn edges_that_face_each_other_are_apart_edge_to_edge() {
+    let book = |x: &str| {
+        said(&format!(
+            "shapes.shelf = {{ kind = 'box', half_extents = [2, 0.3] }}
+            shapes.book = {{ kind = 'box', half_extents = [0.4, 0.7], position = [{x}, 1.4] }}
+            query = {{ kind = 'separation', of = ['shelf', 'book'] }}"
+        ))
+    };
+    assert_eq!(book("1.9"), "shelf and book are 0.4 apart along the normal (0, 1), edge to edge.");
+    assert!(!book("2.9").contains("edge"), "{}", book("2.9"));
+}
+
+#[test]
 fn a_touch_of_vertices_has_several_normals() {
     let boxes = |y: &str| {
         said(&format!(
