@@ -31,7 +31,7 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
     let f = figure("04-minkowski-difference");
     let triangle = |x: f64, y: f64| [(x - 1.5, y - 0.5), (x + 0.9, y - 1.1), (x + 0.7, y + 1.2)];
     let a = [(-1.0, 1.0), (-2.0, -1.0), (1.0, -3.0), (3.0, -2.0)];
-    let world = look(&f, 0, [-4.1, -5.0, 4.9, 4.0]);
+    let world = look(&f, 0, [-4.1, -4.8, 4.9, 3.8]);
     // B's vertex (1.4, 1.7) is 2 from the line 3x + 4y = 1 of A's edge, along (3, 4)/5; and b from the edge of the
     // grown A.
     shows![
@@ -53,7 +53,7 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
         world.polygon(B, &triangle(-1.2, -3.2)).is_some_and(dotted) && world.marker(B, (-1.2, -3.2)),
         f.says("grown $A$"),
     ];
-    let conf = look(&f, 1, [-2.4, -1.4, 6.6, 7.6]);
+    let conf = look(&f, 1, [-2.4, -1.15, 6.6, 7.45]);
     // (2.9, 2.2) less each vertex of the grown A.
     edges_wear_their_source(
         &conf,

@@ -23,6 +23,10 @@ use crate::geometry::{DVec2, Side, perp};
 use super::separating_cone::{Cone, FILL, NAMES, PAST, TANGENT, TURNED, cone, fitting_radius, right_angle};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
+/// Opacity of the line square to the direction of the greatest gap where those that touch both bodies are
+/// drawn: it is one of many between them.
+const FAINT: f64 = 0.45;
+
 /// The words of the option `show`.
 const PARTS: [&str; 2] = ["line", "cone"];
 
@@ -108,11 +112,13 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let nearest = support(context, Side::B, -found.normal).unwrap_or(origin);
     let radius = fitting_radius(sketch, found.normal.dot(nearest - origin));
     let [line, cone] = PARTS.map(|part| options.shows("show", part, true));
+    if line {
+        between(sketch, context, origin, (found.normal, cone));
+    }
     if cone {
         fan(sketch, options, &lines, (origin, radius));
     }
     if line {
-        between(sketch, context, origin, found.normal);
         let tip = origin + found.normal * radius;
         sketch.part("direction").arrow(origin, tip, Pen::vector(Role::Ink));
         sketch.label(Label::new("n", "$n$", Anchor::tip(origin, tip), Role::Ink));
@@ -135,8 +141,9 @@ fn fan(sketch: &mut Sketch, options: &Options, lines: &[Touching; 2], (origin, r
     sketch.part("crossing").marker(origin, Marker::Disc, Role::Ink, SMALL_MARKER);
 }
 
-/// Draws a line between the bodies square to a direction, past both of them, with its right angle.
-fn between(sketch: &mut Sketch, context: &Context, origin: DVec2, normal: DVec2) {
+/// Draws a line between the bodies square to a direction, past both of them: with its right angle, or,
+/// where those of the cone's ends are marked, faint.
+fn between(sketch: &mut Sketch, context: &Context, origin: DVec2, (normal, cone): (DVec2, bool)) {
     let along = perp(normal);
     let reach = |way: DVec2| {
         let far = Side::BOTH.into_iter().filter_map(|side| support(context, side, way));
@@ -144,8 +151,11 @@ fn between(sketch: &mut Sketch, context: &Context, origin: DVec2, normal: DVec2)
     };
     let past = sketch.px(PAST);
     let [from, to] = [-along, along].map(|way| origin + way * (reach(way) + past));
-    sketch.part("between").line(from, to, Pen::vector(Role::Ink).width(TANGENT));
-    right_angle(sketch, origin, [angle_of(normal), angle_of(-along)]);
+    let pen = Pen::vector(Role::Ink).width(TANGENT).opacity(if cone { FAINT } else { 1.0 });
+    sketch.part("between").line(from, to, pen);
+    if !cone {
+        right_angle(sketch, origin, [angle_of(normal), angle_of(-along)]);
+    }
 }
 
 /// Draws a line that touches both bodies, where it does, its right angle to the cone's end, its name.
