@@ -185,9 +185,11 @@ impl Fault {
             | Self::OutOfView { .. }
             | Self::BadName { .. }
             | Self::NoValue { .. } => Severity::Note,
-            Self::NoLayers | Self::EmptyView { .. } | Self::TextDropped { .. } | Self::LabelClash { .. } => {
-                Severity::Warning
-            }
+            Self::NoLayers
+            | Self::SharedChart { .. }
+            | Self::EmptyView { .. }
+            | Self::TextDropped { .. }
+            | Self::LabelClash { .. } => Severity::Warning,
             _ => Severity::Error,
         }
     }
@@ -207,7 +209,8 @@ impl Explain for Fault {
             Self::OutOfView { .. } => codes::OUT_OF_VIEW.code,
             Self::NoLayers => codes::NO_LAYERS.code,
             Self::EmptyView { .. } => codes::EMPTY_VIEW.code,
-            Self::UnsuitedLayer { .. } | Self::SharedChart { .. } => codes::UNSUITED_LAYER.code,
+            Self::UnsuitedLayer { .. } => codes::UNSUITED_LAYER.code,
+            Self::SharedChart { .. } => codes::SHARED_CHART.code,
             Self::UnfedLayer { .. } => codes::UNFED_LAYER.code,
             Self::BadMarkup { .. } => codes::BAD_MARKUP.code,
             Self::BadName { .. } => codes::BAD_NAME.code,
@@ -321,7 +324,7 @@ impl fmt::Display for Fault {
                 write!(f, "the layer `{layer}` is of the space `{space}`, and the panel of another")
             }
             Self::SharedChart { layer } => {
-                write!(f, "`{layer}` has axes of its own, and its lines would run through the other layers")
+                write!(f, "`{layer}` has axes of its own, and its lines run through the other layers")
             }
             Self::UnfedLayer { layer, .. } => write!(f, "this scene can't feed the layer `{layer}`"),
             Self::BadName { name, shown, reason, .. } => {

@@ -131,7 +131,7 @@ impl<'r, 's> Resolver<'r, 's> {
         let placed: Vec<&LayerPlan> = layers.iter().filter(|l| !layer::is_placeless(l.layer)).collect();
         for chart in placed.iter().filter(|l| layer::is_chart(l.layer) && placed.len() > 1) {
             let fault = Fault::SharedChart { layer: chart.layer.name };
-            self.problems.push(Problem::new(fault, chart.span.clone()));
+            self.notes.push(Problem::new(fault, chart.span.clone()));
         }
     }
 
@@ -280,8 +280,8 @@ mod tests {
     }
 
     #[test]
-    fn a_chart_stands_in_a_panel_of_its_own() {
-        let refused = |layers: &str| {
+    fn a_chart_that_shares_its_panel_is_told() {
+        let told = |layers: &str| {
             let text = format!(
                 "shapes.A = {{ kind = 'circle', radius = 1, velocity = [4, 0] }}
                 shapes.B = {{ kind = 'box', half_extents = [1, 1], position = [3, 0] }}
@@ -289,13 +289,14 @@ mod tests {
                 panels = [{{ layers = [{layers}] }}]"
             );
             let scene = open_text("s.toml", &text).unwrap().scene;
-            let problems = plan(&scene).err().unwrap_or_default();
-            problems.iter().map(|p| text[p.span.clone()].to_owned()).collect::<Vec<_>>()
+            let plan = plan(&scene).unwrap();
+            let shared = plan.warnings.iter().filter(|note| note.fault.code() == "shared-chart");
+            shared.map(|p| text[p.span.clone()].to_owned()).collect::<Vec<_>>()
         };
-        assert_eq!(refused("'graph'"), Vec::<String>::new());
-        assert_eq!(refused("'graph', { layer = 'note', lines = ['x'] }"), Vec::<String>::new());
-        assert_eq!(refused("'shapes', 'fastest-approach'"), ["'fastest-approach'"]);
-        assert_eq!(refused("'graph', 'fastest-approach'"), ["'graph'", "'fastest-approach'"]);
+        assert_eq!(told("'graph'"), Vec::<String>::new());
+        assert_eq!(told("'graph', { layer = 'note', lines = ['x'] }"), Vec::<String>::new());
+        assert_eq!(told("'shapes', 'fastest-approach'"), ["'fastest-approach'"]);
+        assert_eq!(told("'graph', 'fastest-approach'"), ["'graph'", "'fastest-approach'"]);
     }
 
     #[test]

@@ -111,7 +111,7 @@ fn others() -> Vec<(Fault, &'static str, &'static str)> {
         ),
         (
             Fault::SharedChart { layer: "graph" },
-            "`graph` has axes of its own, and its lines would run through the other layers",
+            "`graph` has axes of its own, and its lines run through the other layers",
             "give it a panel of its own: `[[panels]]` with `layers = [\"graph\"]`",
         ),
         (
