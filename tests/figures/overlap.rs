@@ -160,7 +160,7 @@ const CIRCLES: [[f64; 4]; 2] = [[-3.45, -7.4, 9.45, 4.4], [-3.45, -7.4, 12.185, 
 #[test]
 fn box_box_lays_out_half_extents_gaps_and_centre_distance_axis_by_axis() {
     let f = figure("box-box");
-    let w = look(&f, 0, [-6.55, -5.05, 13.35, 3.3]);
+    let w = look(&f, 0, [-6.55, -5.05, 13.15, 3.3]);
     shows![
         w.polygon(A, &[(-6.25, -3.0), (-0.25, -3.0), (-0.25, 1.0), (-6.25, 1.0)]).is_some(),
         w.polygon(B, &[(1.75, 0.0), (6.75, 0.0), (6.75, 3.0), (1.75, 3.0)]).is_some(),

@@ -3,8 +3,8 @@
 //!
 //! Where D ≥ 0 one track holds `h_A` | D | `h_B` end to end. Where D < 0 the half-extents overlap: they lie
 //! on two lanes side by side, and the stretch that they share on a third. Either stretch is a strip across
-//! both boxes; but beside an axis with a gap, one that overlaps decides nothing: it is grey, and no strip.
-//! The distance of the centres is the last.
+//! both boxes; but beside an axis with a gap, one that overlaps decides nothing: it is grey, and its strip
+//! only beside them. The distance of the centres is the last.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
@@ -20,7 +20,7 @@ use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 const BELOW: f64 = 40.0;
 
 /// Distance of the tracks to the right from the boxes, page pixels: clear of their outlines.
-const BESIDE: f64 = 40.0;
+const BESIDE: f64 = 30.0;
 
 /// From one lane to the next, page pixels: bars side by side, and not one.
 const LANE: f64 = 26.0;
@@ -30,7 +30,7 @@ const LIT: f64 = 0.13;
 
 /// Where the distance of the centres is measured to the right, as a part of the way to the first track:
 /// beyond the label of the third lane where the half-extents overlap, else beyond theirs.
-const LAST: [f64; 2] = [4.6, 3.6];
+const LAST: [f64; 2] = [5.6, 4.6];
 
 pub(super) const LAYER: Layer = Layer {
     name: "axis-gaps",
@@ -176,7 +176,7 @@ fn axis(
     let forward = if e.centers[0] <= e.centers[1] { 1.0 } else { -1.0 };
     let facing = [e.centers[0] + forward * e.half[0], e.centers[1] - forward * e.half[1]];
     let part = format!("axis-{}", e.name);
-    let is_lit = e.gap != 0.0 && e.role != Role::Muted;
+    let is_lit = e.gap != 0.0;
     if is_lit {
         strip(sketch, (facing, e.role), place, across);
     }
@@ -224,8 +224,13 @@ fn beside_body([from, to]: [f64; 2], body: Option<[f64; 2]>) -> Vec<[f64; 2]> {
 /// Draws the strip between the edges that face each other, from the tracks to the far edge of the boxes.
 fn strip(sketch: &mut Sketch, (facing, role): ([f64; 2], Role), place: &Place, across: [[f64; 2]; 2]) {
     let far = across.map(|[center, edge]| place.track(2.0 * center - edge));
-    let far = far[0].min(far[1]);
-    let ends = [(facing[0], 1.0), (facing[1], 1.0), (facing[1], far), (facing[0], far)];
+    let (near, far) = if role == Role::Muted {
+        // Beside the boxes alone, from their edge to the track of what they share.
+        (1.0 + 2.0 * LANE / sketch.on_page(place.step.abs()), 0.0)
+    } else {
+        (1.0, far[0].min(far[1]))
+    };
+    let ends = [(facing[0], near), (facing[1], near), (facing[1], far), (facing[0], far)];
     let strip = Outline::polygon(&ends.map(|(along, track)| place.point(along, track)));
     sketch.part("lit").weight(Weight::Light).area(&strip, Some(Wash::faint(role, LIT)), None);
 }
@@ -310,11 +315,13 @@ mod tests {
         let [from, to] = [1.5, 2.0].map(|x| frame.page(DVec2::new(x, 0.0)).x);
         let [p, q] = level[1].map(|p| p.x);
         assert!((p.min(q) - from).abs() < 1e-6 && (p.max(q) - to).abs() < 1e-6, "{level:?}");
-        // Along y they are apart: from A's top, 1, to B's bottom, 2, over the width of both. That is the only
-        // strip, as what they share of x decides nothing.
+        // Along y they are apart: from A's top, 1, to B's bottom, 2, over the width of both. What they share
+        // of x decides nothing: its strip begins under them, at -1.
         let strips = paths(&figure.drawing.items, "lit");
-        assert_eq!(strips.len(), 1);
-        let strip = points(strips[0]);
+        assert_eq!(strips.len(), 2);
+        let below = frame.page(DVec2::new(0.0, -1.0)).y;
+        assert!(points(strips[0]).iter().all(|p| p.y > below - 1e-6), "{:?}", points(strips[0]));
+        let strip = points(strips[1]);
         for place in [[-2.0, 1.0], [-2.0, 2.0]].map(|p| frame.page(DVec2::from(p))) {
             assert!(strip.iter().any(|p| (*p - place).length() < 1e-6), "{place:?}: {strip:?}");
         }
