@@ -6,8 +6,8 @@
 //   what is only theirs goes.
 // - The root of a number is one instruction.
 // - What is alike stands side by side, where it packs better.
-// - The names of source files, and the lines in them where a panic may be, are zeros, and what only lists
-//   say.
+// - The names of source files, and the lines in them where a panic may be, are zeros, and what panics and
+//   lists say.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import { ofLists } from './lists.mjs';
@@ -34,6 +34,48 @@ const POWERS = [
     { first: '01c0672a8d4e72d4e77afe8e901e9af8', length: 298 * 4 },
     { first: '0180cf642652349fe563496453508d7b', length: 595 * 4 },
 ];
+/**
+ * What panics of the standard library say, and what it calls errors of files, of which a page has none: from
+ * the first words of a run of texts to its last.
+ */
+const UNREAD = [
+    ['entity not found', 'uncategorized error'],
+    ['attempt to divide by zero', 'with a divisor of zero'],
+    ['attempt to join into collection', 'usize::MAX'],
+    ['start of range should be a character boundary', 'end of range should be a character boundary'],
+    ['Hash table capacity overflow', ''],
+    ['Formatting argument out of range', ''],
+    ...[
+        'ndigits > 0',
+        'buf.len() >= ndigits || buf.len() >= maxlen',
+        'buf.len() >= maxlen',
+        'other > 0',
+        'noborrow',
+        'digits < 40',
+        '!buf.is_empty()',
+        "buf[0] > b'0'",
+        'd.mant > 0',
+        'd.minus > 0',
+        'd.plus > 0',
+        'd.mant + d.plus < (1 << 61)',
+        'd.mant.checked_sub(d.minus).is_some()',
+        'd.mant.checked_add(d.plus).is_some()',
+        'self.is_char_boundary(idx)',
+        'self.is_char_boundary(new_len)',
+        'self.peeked.is_none()',
+        'len > 0',
+        'idx < CAPACITY',
+        'edge.height == self.height - 1',
+        'edge.height == self.node.height - 1',
+        'src.len() == dst.len()',
+        'old_left_len >= count',
+    ].map((claim) => [`assertion failed: ${claim}`, '']),
+    ['internal error: entered unreachable code', ''],
+    ['called `Option::unwrap()` on a `None` value', ''],
+    ['called `Result::unwrap()` on an `Err` value', ''],
+];
+/** Bytes of the longest such run. */
+const LONGEST_RUN = 1000;
 /** What a source file is called. */
 const SOURCES = /(?:\/|crates\/)[\w./+-]+\.rs(?=\0)/g;
 
@@ -104,6 +146,25 @@ function without_powers(bytes) {
     return bytes;
 }
 
+/** Zeros in the place of what nobody reads. */
+function without_panics(bytes) {
+    let count = 0;
+    for (const { from, length } of segments(bytes)) {
+        const piece = bytes.subarray(from, from + length);
+        for (const [first, last] of UNREAD) {
+            for (let at = piece.indexOf(first); at >= 0; at = piece.indexOf(first, at + 1)) {
+                const end = piece.indexOf(last, at + first.length) + last.length;
+                if (end <= at || end > at + LONGEST_RUN) throw new Error(`no "${last}" after "${first}"`);
+                piece.fill(0, at, Math.max(end, at + first.length));
+                count += 1;
+            }
+        }
+    }
+    // As with the functions below.
+    if (count < 20) throw new Error(`the module has ${count} texts of panics`);
+    return bytes;
+}
+
 /** Zeros in the place of what only lists say, where a piece of memory has it once. */
 function without_lists(bytes) {
     const pieces = segments(bytes).map(({ from, length }) => bytes.subarray(from, from + length));
@@ -158,7 +219,8 @@ function named(bytes) {
 
 const [folder, from, to] = process.argv.slice(2);
 const { default: binaryen } = await import(pathToFileURL(`${folder}/index.js`));
-let module = binaryen.readBinary(without_lists(without_powers(without_sources(readFileSync(from)))));
+const cut = [without_sources, without_powers, without_panics, without_lists];
+let module = binaryen.readBinary(cut.reduce((bytes, without) => without(bytes), readFileSync(from)));
 const root = module.f64.sqrt(module.local.get(0, binaryen.f64));
 for (const part of [...PANICS, ROOT]) {
     let count = 0;

@@ -284,9 +284,9 @@ fn measure(
     sketch.part("gap").bar(p, q, 0.0, pen);
     let out = at(0.0, 1.0) - at(0.0, 0.0);
     let word = match t.gap < -rounding {
-        true if t.a.lo <= t.b.lo && t.a.hi <= t.b.hi => "overlap",
-        true => "depth",
-        false => "gap",
+        true if t.a.lo <= t.b.lo && t.a.hi <= t.b.hi => "overlap $",
+        true => "depth $",
+        false => "gap $",
     };
     // Subtracted so that what is left is positive.
     let (more, less) = if t.gap < 0.0 { (t.a.hi, t.b.lo) } else { (t.b.lo, t.a.hi) };
@@ -297,7 +297,7 @@ fn measure(
         equals if t.gap != 0.0 && t.gap.abs() <= rounding => format!("= {from} {minus} {equals}"),
         _ => format!("= {from} {minus} = {result}"),
     };
-    let mut lines = vec![format!("{word} ${equals}$")];
+    let mut lines = vec![format!("{word}{equals}$")];
     if t.b.hi < t.a.lo {
         // Apart the other way round: another edge tells of that gap.
         lines.push("(the edge faces away)".to_owned());
