@@ -45,6 +45,9 @@ const UNREAD = [
     ['start of range should be a character boundary', 'end of range should be a character boundary'],
     ['Hash table capacity overflow', ''],
     ['Formatting argument out of range', ''],
+    ['cannot access a Thread Local Storage value during or after destruction', ''],
+    ['already mutably borrowed', ''],
+    ['RefCell already borrowed', ''],
     ...[
         'ndigits > 0',
         'buf.len() >= ndigits || buf.len() >= maxlen',

@@ -26,10 +26,15 @@ use crate::geometry::{Enclosure, Exact, Side};
 /// are 2⁻¹⁰⁷⁴ apart.
 const HALVINGS: usize = 1100;
 
-/// The outcome of a sweep of the pair, which is at t = 0; None where its coordinates are no sums of products
-/// of doubles, or too large or small for exact ones.
+/// The outcome of a sweep of the pair, which is at t = 0, in whichever order of its bodies it can be told;
+/// None where its coordinates are no sums of products of doubles, or too large or small for exact ones.
 #[cold]
 pub(crate) fn outcome(pair: &Pair) -> Option<Outcome> {
+    in_order(pair).or_else(|| in_order(&Pair::refined_at(pair.b, pair.a, 0.0)).map(Outcome::swapped))
+}
+
+/// The outcome with A called A.
+fn in_order(pair: &Pair) -> Option<Outcome> {
     let exact = ExactPair::of(pair)?;
     let ray = ExactRay { pair, u: exact.relative_velocity(), exact };
     let start = settle(pair, None);

@@ -97,9 +97,7 @@ impl<'s> Sweep<'s> {
     fn the_other_way_round(&self) -> Option<Outcome> {
         let other = Sweep::new(self.pair.b, self.pair.a);
         let decided = match other.entry().outcome(&other.pair) {
-            Outcome::Unresolved { .. } => {
-                exact::outcome(&other.pair).or_else(|| impact::by_axes(other.pair.a, other.pair.b))
-            }
+            Outcome::Unresolved { .. } => impact::by_axes(other.pair.a, other.pair.b),
             decided => Some(decided),
         };
         decided.map(Outcome::swapped)
