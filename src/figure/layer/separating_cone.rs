@@ -281,7 +281,7 @@ pub(super) fn right_angle(sketch: &mut Sketch, at: DVec2, directions: [f64; 2]) 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::figure::layer::tests::{labels, lines, paths};
+    use crate::figure::layer::tests::{apart, labels, lines, paths};
     use crate::figure::{draw, plan};
     use crate::scene::open_text;
 
@@ -302,14 +302,7 @@ mod tests {
 
     #[test]
     fn every_direction_in_the_cone_separates_and_none_outside() {
-        for (place, r) in [("[5, 1]", 0.0), ("[4, -3.5]", 0.25), ("[-3, 5]", 1.0), ("[0.5, 4.5]", 0.5)] {
-            let text = format!(
-                "shapes.A = {{ kind = 'polygon', vertices = [[-2, -1], [1, -2], [2, 0], [-1, 2]] }}
-                shapes.B = {{ kind = 'box', half_extents = [1, 0.5], radius = {r}, angle_deg = 25,
-                    position = {place} }}
-                query = {{ kind = 'separation', of = ['A', 'B'] }}
-                panels = [{{ space = 'configuration', layers = ['separating-cone'] }}]"
-            );
+        for (place, r, text) in apart("{ space = 'configuration', layers = ['separating-cone'] }") {
             let scene = open_text("cone", &text).unwrap().scene;
             let plan = plan(&scene).unwrap();
             let cone = cone(&plan.panels[0].context(&scene, &plan.runs)).unwrap();

@@ -174,20 +174,13 @@ fn touching(sketch: &mut Sketch, line: &Touching, origin: DVec2, name: Option<&'
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::figure::layer::tests::{labels, paths};
+    use crate::figure::layer::tests::{apart, labels, paths};
     use crate::figure::{draw, plan};
     use crate::scene::open_text;
 
     #[test]
     fn both_lines_touch_both_bodies_and_pass_between_them_and_cross_there() {
-        for (place, r) in [("[5, 1]", 0.0), ("[4, -3.5]", 0.25), ("[-3, 5]", 1.0), ("[0.5, 4.5]", 0.5)] {
-            let text = format!(
-                "shapes.A = {{ kind = 'polygon', vertices = [[-2, -1], [1, -2], [2, 0], [-1, 2]] }}
-                shapes.B = {{ kind = 'box', half_extents = [1, 0.5], radius = {r}, angle_deg = 25,
-                    position = {place} }}
-                query = {{ kind = 'separation', of = ['A', 'B'] }}
-                panels = [{{ layers = ['shapes', 'separating-lines'] }}]"
-            );
+        for (place, _, text) in apart("{ layers = ['shapes', 'separating-lines'] }") {
             let scene = open_text("lines", &text).unwrap().scene;
             let plan = plan(&scene).unwrap();
             let context = plan.panels[0].context(&scene, &plan.runs);

@@ -95,3 +95,20 @@ fn numbers_are_read_out_of_labels() {
     }
     assert!(last_number("$n$").is_nan());
 }
+
+/// Scenes of two bodies that are apart, sharp and round and to all sides of each other, with one panel: where
+/// B is, its radius, and the text.
+pub(super) fn apart(panel: &str) -> Vec<(&'static str, f64, String)> {
+    let places = [("[5, 1]", 0.0), ("[4, -3.5]", 0.25), ("[-3, 5]", 1.0), ("[0.5, 4.5]", 0.5)];
+    let scene = |(place, radius): (&'static str, f64)| {
+        let text = format!(
+            "shapes.A = {{ kind = 'polygon', vertices = [[-2, -1], [1, -2], [2, 0], [-1, 2]] }}
+            shapes.B = {{ kind = 'box', half_extents = [1, 0.5], radius = {radius}, angle_deg = 25,
+                position = {place} }}
+            query = {{ kind = 'separation', of = ['A', 'B'] }}
+            panels = [{panel}]"
+        );
+        (place, radius, text)
+    };
+    places.map(scene).to_vec()
+}
