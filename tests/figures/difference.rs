@@ -9,15 +9,13 @@ use super::{figure, look};
 type P = (f64, f64);
 
 /// Every edge of a difference, counter-clockwise as `(vertex, source of the edge that leaves it)`, is drawn
-/// in its source's colour, and so that it can be told without colour: B's are cased, A's plain; every vertex
-/// is a diamond.
+/// in its source's colour, and so that it can be told without colour: B's are cased, A's plain.
 fn edges_wear_their_source(panel: &Look, edges: &[(P, Role)]) {
     for (i, &(from, source)) in edges.iter().enumerate() {
         let to = edges[(i + 1) % edges.len()].0;
         let dashed = |path: &Path| path.stroke.as_ref().is_some_and(|s| !s.dash.is_empty());
         let edge = panel.edge(source, from, to);
         assert!(edge.is_some_and(|e| !dashed(e)), "edge {i} from {from:?} to {to:?} of {source:?}");
-        assert!(panel.marker(Difference, from), "a diamond at {from:?}");
     }
 }
 

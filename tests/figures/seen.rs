@@ -169,27 +169,24 @@ impl Look<'_> {
         self.carried(role, from, tip) && heads(14.0)
     }
 
-    /// An edge of a difference from p to q: a plain line of A's, a cased one of B's, two strokes as far from
-    /// it on either side.
+    /// An edge of a difference from p to q: a plain line of A's, a cased one of B's: two rails as far from it on
+    /// either side, joined at its ends, with a pale core.
     pub(crate) fn edge(&self, role: Role, p: P, q: P) -> Option<&Path> {
         if role != Role::B {
             return self.line(role, p, q);
         }
-        let (p, q) = (self.panel.page(p), self.panel.page(q));
-        let (ux, uy) = ((q.x - p.x) / distance(p, q), (q.y - p.y) / distance(p, q));
-        let along = |x: Point, o: Point| (x.x - o.x) * ux + (x.y - o.y) * uy;
-        let off = |x: Point| (x.x - p.x) * uy - (x.y - p.y) * ux;
-        let strip = |path: &Path| {
+        let ends = [self.panel.page(p), self.panel.page(q)];
+        let middle = |a: Point, b: Point| Point::new(0.5 * (a.x + b.x), 0.5 * (a.y + b.y));
+        self.paths().find(|path| {
             let c = vertices(path);
-            let fits = stroke_role(path) == Some(role)
-                && c.len() == 2
-                && along(c[0], p).abs().min(along(c[1], p).abs()) < NEAR
-                && along(c[0], q).abs().min(along(c[1], q).abs()) < NEAR
-                && off(c[0]).abs() < 4.0;
-            fits.then(|| off(c[0]))
-        };
-        let other = |mine: f64| self.paths().filter_map(strip).any(|off| (off + mine).abs() < 1e-6);
-        self.paths().find(|path| strip(path).is_some_and(|off| off.abs() > 0.5 && other(off)))
+            if stroke_role(path) != Some(role) || fill_role(path) != Some(role) || c.len() != 4 {
+                return false;
+            }
+            let [from, to] = [middle(c[0], c[3]), middle(c[1], c[2])];
+            let narrow = (1.0..4.0).contains(&distance(c[0], c[3]));
+            let joins = |[a, b]: [Point; 2]| near(from, a) && near(to, b);
+            narrow && (joins(ends) || joins([ends[1], ends[0]]))
+        })
     }
 
     /// A filled arrow head of the role with its tip there.

@@ -6,7 +6,7 @@ use crate::collision::Separation;
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::difference::{Difference, Edge};
-use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Rank, Size, Sketch, Weight};
+use crate::figure::sketch::{Anchor, Label, Pen, Rank, Size, Sketch, Weight};
 use crate::figure::text::{asked_distance, distance_or_depth, number};
 use crate::geometry::{DVec2, Side};
 use crate::trace::Event;
@@ -123,7 +123,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         if options.flag("pushed", false) {
             pushed(sketch, context, from, foot);
         }
-        sketch.part("closest").arrow_to(to, from, Marker::Origin.rim(MARKER), Pen::vector(role));
+        sketch.part("closest").arrow(to, from, Pen::vector(role));
     } else {
         sketch.dimension(from, to, 0.0, Pen::dimension(role).width(1.5));
     }
@@ -233,8 +233,10 @@ pub(super) fn leg(found: &Difference, from: DVec2, foot: DVec2) -> Option<DVec2>
 
 #[cfg(test)]
 mod tests {
+    use crate::drawing::{Contour, Path, Segment};
     use crate::figure::layer::tests::{labels, paths};
     use crate::figure::{draw, plan};
+    use crate::geometry::DVec2;
     use crate::scene::open_text;
 
     #[test]
@@ -250,5 +252,25 @@ mod tests {
         assert_eq!(paths(&figure.drawing.items, "right-angle").len(), 2, "one in either panel");
         // The label of the last panel, where the scene gives it a text.
         assert_eq!(labels(&figure)["d"].0, "out");
+    }
+
+    #[test]
+    fn an_arrow_ends_at_the_origin_itself_whose_ring_opens_for_it() {
+        let text = "shapes.A = { kind = 'box', half_extents = [2, 1] }
+            shapes.B = { kind = 'box', half_extents = [1, 1], position = [0.5, 1.5] }
+            query = { kind = 'separation', of = ['A', 'B'] }
+            panels = [{ space = 'configuration', layers = ['difference', 'closest', 'origin'] }]";
+        let scene = open_text("marks.toml", text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "marks");
+        let o = figure.panels[0].frame.page(DVec2::ZERO);
+        let arrow = paths(&figure.drawing.items, "closest");
+        let tip = |path: &&&Path| matches!(&path.contour, Contour::Segments(s) if s[0] == Segment::Move(o));
+        assert_eq!(arrow.iter().filter(tip).count(), 1, "a head whose point is O: {arrow:?}");
+        let origin = paths(&figure.drawing.items, "origin");
+        let rings = origin.iter().filter(|path| path.stroke.is_some());
+        let whole = |path: &&&Path| matches!(path.contour, Contour::Circle { .. });
+        assert_eq!(rings.clone().count(), 1);
+        assert_eq!(rings.filter(whole).count(), 0, "the ring is open");
     }
 }

@@ -1,5 +1,5 @@
 //! B ⊖ A in configuration space: its area, its edges in the colour of the body that each comes from (B's
-//! cased), diamonds at its vertices. Round bodies make it an arc.
+//! cased). Its vertices have marks where the layer "vertices" names them. Round bodies make it an arc.
 
 use std::collections::BTreeSet;
 
@@ -8,9 +8,7 @@ use crate::figure::context::Context;
 use crate::figure::cue::Cue;
 use crate::figure::difference::{Difference, Edge};
 use crate::figure::runs::tells_difference;
-use crate::figure::sketch::{
-    Anchor, Label, Marker, Pen, Piece, Rank, SMALL_MARKER, Size, Sketch, Wash, Weight,
-};
+use crate::figure::sketch::{Anchor, Label, Pen, Piece, Rank, Size, Sketch, Wash, Weight};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Feature, Side};
 use crate::trace::{Culling, Event};
@@ -40,10 +38,6 @@ const SERIES: [f64; 2] = [0.3, 0.8];
 /// How far from a vertex an edge may begin that begins there, in parts of the largest coordinate: some
 /// roundings, and far below what is seen.
 const BEGINS: f64 = 1e-12;
-
-/// The length of an edge below which the diamonds at its ends leave less of its colour than they hide, in
-/// their own radii: a diamond is two of them wide, at either end one.
-const CROWDED: f64 = 5.0;
 
 pub(super) const LAYER: Layer = Layer {
     name: "difference",
@@ -208,7 +202,6 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let pen = if thin { pen.width(THIN.0).opacity(THIN.1) } else { pen };
         (pen, cues.of(edge))
     });
-    diamonds(sketch, &found, |edge| cues.of(edge));
     name(sketch.since(cues.whole), context, options, &found);
     if options.flag("sources", false) {
         sources(sketch, context, &found);
@@ -249,7 +242,7 @@ pub(super) fn arcs(sketch: &mut Sketch, found: &Difference, pen: Pen) {
 /// Draws an edge in the colour of the body that it comes from: A's as a plain line, B's as a cased one.
 pub(super) fn draw_edge(sketch: &mut Sketch, source: Side, (from, to): (DVec2, DVec2), pen: Pen) {
     match source {
-        Side::A => sketch.line(from, to, pen),
+        Side::A => sketch.line(from, to, pen.round()),
         Side::B => sketch.cased(from, to, pen),
     };
 }
@@ -263,19 +256,6 @@ fn edges(sketch: &mut Sketch, found: &Difference, pen: impl Fn(&Edge, Pen) -> (P
             let (pen, cue) = pen(edge, Pen::outline(side.into()));
             draw_edge(sketch.since(cue), side, found.drawn(edge), pen);
         }
-    }
-}
-
-/// Marks the vertices of a sharp difference, but where most edges are hardly longer than a mark: it is the
-/// edges whose colours say where they come from.
-fn diamonds(sketch: &mut Sketch, found: &Difference, cue: impl Fn(&Edge) -> Option<Cue>) {
-    let is_hidden = |edge: &&Edge| sketch.on_page(edge.from.distance(edge.to)) < CROWDED * SMALL_MARKER;
-    if found.radius > 0.0 || 2 * found.edges.iter().filter(is_hidden).count() > found.edges.len() {
-        return;
-    }
-    sketch.part("vertices");
-    for edge in &found.edges {
-        sketch.since(cue(edge)).marker(edge.from, Marker::Diamond, Role::Difference, SMALL_MARKER + 0.5);
     }
 }
 
@@ -322,7 +302,6 @@ fn steps(sketch: &mut Sketch, context: &Context, options: &Options) {
     let cue = context.known(&When::Step(*number));
     area(sketch.since(cue), options, last);
     edges(sketch, last, |_, pen| (pen, cue));
-    diamonds(sketch, last, |_| cue);
     name(sketch, context, options, last);
     step_numbers(sketch, context, &all, options.flag("numbers", false));
 }
@@ -337,23 +316,26 @@ pub(super) fn thinned(steps: &[f64]) -> Vec<(usize, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::drawing::Path;
     use crate::figure::layer::tests::paths;
     use crate::figure::{draw, plan};
     use crate::scene::open_text;
 
     #[test]
-    fn vertices_are_marked_until_the_marks_would_hide_the_edges() {
-        for (edges, marks) in [(12, 24), (48, 0)] {
+    fn vertices_have_marks_only_where_they_are_asked_for() {
+        for (layers, marks) in [("'difference'", 0), ("'difference', 'vertices'", 7)] {
             let text = format!(
-                "shapes.A = {{ kind = 'regular-polygon', edges = {edges}, circumradius = 1 }}
-                shapes.B = {{ kind = 'regular-polygon', edges = {edges}, circumradius = 1.3, angle_deg = 3 }}
+                "shapes.A = {{ kind = 'regular-polygon', edges = 3, circumradius = 1 }}
+                shapes.B = {{ kind = 'regular-polygon', edges = 4, circumradius = 1.3, angle_deg = 3 }}
                 query = {{ kind = 'separation', of = ['A', 'B'] }}
-                panels = [{{ space = 'configuration', layers = ['difference'] }}, {{ layers = ['shapes'] }}]"
+                panels = [{{ space = 'configuration', layers = [{layers}] }}, {{ layers = ['shapes'] }}]"
             );
             let scene = open_text("many", &text).unwrap().scene;
             let plan = plan(&scene).unwrap();
             let figure = draw(&plan, plan.theme, "many");
-            assert_eq!(paths(&figure.drawing.items, "vertices").len(), marks, "{edges}");
+            let filled = |path: &&&Path| path.fill.is_some() && path.stroke.is_none();
+            let found = ["vertices", "vertex"].map(|part| paths(&figure.drawing.items, part));
+            assert_eq!(found.iter().flatten().filter(filled).count(), marks, "{layers}");
         }
     }
 

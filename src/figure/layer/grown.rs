@@ -8,8 +8,7 @@ use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::difference::{Difference, Edge};
 use crate::figure::sketch::{
-    Anchor, LARGE_MARKER, Label, MARKER, Marker, Outline, Pen, Piece, Rank, SMALL_MARKER, Size, Sketch, Wash,
-    Weight,
+    Anchor, LARGE_MARKER, Label, MARKER, Marker, Outline, Pen, Piece, Rank, Size, Sketch, Wash, Weight,
 };
 use crate::geometry::{DVec2, Side};
 
@@ -151,12 +150,6 @@ fn edges(sketch: &mut Sketch, found: &Difference, cues: &EdgeCues, turned: impl 
             (turned(from), turned(to)),
             Pen::outline(edge.source.into()),
         );
-    }
-    // Over their ends, as in B ⊖ A.
-    sketch.part("vertices");
-    for edge in &found.edges {
-        let at = turned(found.drawn(edge).0);
-        sketch.since(cues.of(edge)).marker(at, Marker::Diamond, Role::Difference, SMALL_MARKER);
     }
 }
 

@@ -3,9 +3,7 @@
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{
-    Anchor, Label, MARKER, Marker, Pen, Rank, SMALL_MARKER, Size, Sketch, Weight, angle_of,
-};
+use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Rank, Size, Sketch, Weight, angle_of};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
 
@@ -79,14 +77,6 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let outside = Anchor::Beside { from: to, to: from, offset: ON_LINE };
         let label = Label::new("step", k.to_string(), outside, role);
         sketch.label(label.rank(Rank::Word).size(Size::Note));
-    }
-    for edge in &all[..before] {
-        sketch.since(edge.cue).part("vertices").marker(
-            edge.at,
-            Marker::Diamond,
-            Role::Difference,
-            SMALL_MARKER,
-        );
     }
     if let Some(next) = all.last().filter(|_| !whole) {
         let count = all.len();

@@ -186,7 +186,7 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
         sketch.part("pushed").weight(Weight::Light).line(from, to, Pen::ghost(Role::Difference));
         let label = Label::new("pushed", PUSHED, Anchor::middle(from, to), Role::Difference);
         sketch.label(label.rank(Rank::Word).size(Size::Note));
-        sketch.part("push").arrow_to(foot, DVec2::ZERO, Marker::Origin.rim(MARKER), blue);
+        sketch.part("push").arrow(foot, DVec2::ZERO, blue);
     } else {
         sketch.part("distance").bar(DVec2::ZERO, foot, 0.0, blue);
     }

@@ -3,7 +3,9 @@
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::difference::{Difference, Edge};
-use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, MARKER, Marker, Pen, Rank, Size, Sketch, Weight};
+use crate::figure::sketch::{
+    Anchor, LARGE_MARKER, Label, MARKER, Marker, Pen, Rank, SMALL_MARKER, Size, Sketch, Weight,
+};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Feature, Side};
 use crate::scene::Space;
@@ -226,8 +228,11 @@ fn name(sketch: &mut Sketch, context: &Context, role: Role) {
         let Some([p, q]) = nearest.map(|[p, q]| [q, p].map(|v| context.named(v.side).point(v.index))) else {
             continue;
         };
-        let anchor = Anchor::point(place + context.estimate());
-        sketch.label(Label::new(key, format!("${p} - {q}$"), anchor, role).rank(Rank::Point));
+        let at = place + context.estimate();
+        if key == "end" {
+            sketch.marker(at, Marker::Diamond, role, SMALL_MARKER);
+        }
+        sketch.label(Label::new(key, format!("${p} - {q}$"), Anchor::point(at), role).rank(Rank::Point));
     }
 }
 

@@ -1,6 +1,6 @@
 //! Lines, polygons, vectors.
 
-use crate::drawing::{Contour, Offset, Point, Role};
+use crate::drawing::{Contour, Item, Offset, Path, Point, Role};
 use crate::geometry::DVec2;
 
 use super::{Cover, Outline, Pen, Sketch};
@@ -17,14 +17,15 @@ const SHORT: f64 = 14.0;
 const DOT: f64 = 6.0;
 /// Radius of that dot, page pixels.
 const DOT_RADIUS: f64 = 2.2;
-/// Width of either stroke of a cased line, in widths of a plain one: at half of one, hair thin at a third of
+/// Width of either rail of a cased line, in widths of a plain one: with the core as much ink as that has.
+const RAIL: f64 = 0.42;
+/// How far the middle of either rail is from the line at least, page pixels: a gap that is seen at a third of
 /// the size.
-const CASE_STROKE: f64 = 0.62;
-/// How far the middle of either stroke is from the line at least, page pixels: a gap that is seen at a third
-/// of the size.
-const CASE_GAP: f64 = 0.65;
+const RAIL_GAP: f64 = 0.3;
 /// How much farther, in widths of a plain line.
-const CASE_OFF: f64 = 0.5;
+const RAIL_OFF: f64 = 0.48;
+/// Opacity of the core between the rails: a tint, which in print is no line.
+const CORE: f64 = 0.16;
 
 impl Sketch<'_> {
     /// Draws the line of an outline of the panel's space, without its area.
@@ -52,21 +53,25 @@ impl Sketch<'_> {
         let room = (end - tail).length() - clear >= SHORT;
         let tip = (end - tail).unit().filter(|_| room).map_or(end, |u| end + u * -clear);
         self.page_arrow(tail, tip, pen);
+        if clear == 0.0 && room {
+            self.tips.push((to, from));
+        }
         self
     }
 
-    /// Draws a straight line between points of the panel's space as two thin strokes beside it: as wide as
-    /// the pen's line and a gap, told from a plain line without colour.
+    /// Draws a straight line between points of the panel's space as two thin rails beside it, joined at its
+    /// ends, and a pale core: told from a plain line without colour, and no heavier.
     pub(crate) fn cased(&mut self, from: DVec2, to: DVec2, pen: Pen) -> &mut Self {
-        let (strip, off) = (pen.width(CASE_STROKE * pen.width), CASE_GAP + CASE_OFF * self.width(pen));
+        let (rail, off) = (pen.width(RAIL * pen.width), RAIL_GAP + RAIL_OFF * self.width(pen));
         let (p, q) = (self.frame.page(from), self.frame.page(to));
         let Some(u) = (q - p).unit() else { return self };
         self.reach(&[from, to]);
-        for way in [1.0, -1.0] {
-            let shift = u.left() * (way * self.fitted(off));
-            self.push_stroked(Contour::line(p + shift, q + shift), strip);
-        }
-        self.keep_off(Cover::Stroke { from: p, to: q, half: off + 0.5 * strip.width });
+        let aside = u.left() * self.fitted(off);
+        let case = Contour::polygon(&[p + aside, q + aside, q + -aside, p + -aside]);
+        let core = self.paint(pen.role).with_opacity(CORE * pen.opacity);
+        let path = Path { stroke: Some(self.stroke_of(rail)), ..Path::filled(case, core) };
+        self.push(Item::Path(path));
+        self.keep_off(Cover::Stroke { from: p, to: q, half: off + 0.5 * rail.width });
         self
     }
 

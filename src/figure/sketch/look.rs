@@ -33,7 +33,7 @@ impl Sketch<'_> {
 
     /// The stroke of a pen, as wide as fits the page.
     pub(super) fn stroke_of(&self, pen: Pen) -> Stroke {
-        let cap = if pen.dash == Dash::Dotted { Cap::Round } else { Cap::Butt };
+        let cap = if pen.round || pen.dash == Dash::Dotted { Cap::Round } else { Cap::Butt };
         let paint = self.paint(pen.role).with_opacity(pen.opacity);
         let width = self.width(pen);
         let dash = pen.dash.lengths(width).into_iter().map(|d| d * self.unit).collect();

@@ -1,9 +1,11 @@
 //! Markers: points that have a meaning, told apart by shape as well as by colour.
 
+use std::f64::consts::TAU;
+
 use crate::drawing::{Contour, Item, Offset, Path, Point, Rect, Role, Shown};
 use crate::geometry::DVec2;
 
-use super::{Cover, Dash, MARKER, Marker, Outline, Pen, Sketch, Wash};
+use super::{Cover, Dash, MARKER, Marker, Outline, Pen, Sketch, Wash, angle_of};
 
 /// Line width of hollow markers, page pixels.
 const HOLLOW: f64 = 1.75;
@@ -17,6 +19,10 @@ const OPEN: f64 = 1.45;
 const RING: f64 = 1.75;
 /// Radius of the dot in that ring, in radii of a usual disc: at 1 the ring closes at a third of the size.
 const ORIGIN_DOT: f64 = 0.8;
+/// Half the opening of that ring where an arrow ends in it, radians: its head and a gap.
+const OPENING: f64 = 0.5;
+/// Radius of the dot there, in radii of a usual disc: the head's point is as wide.
+const YIELDING_DOT: f64 = 0.45;
 /// A closed outline that reaches less than this in any direction has no form to be seen, page pixels: half
 /// the width of its line.
 pub(crate) const SPECK: f64 = 1.0;
@@ -37,11 +43,7 @@ impl Sketch<'_> {
             Marker::HollowSquare => self.hollow(square(p, SQUARE * radius), role),
             Marker::HollowDiamond => self.hollow(diamond(p, OPEN * radius), role),
             Marker::Cross => self.cross(p, radius, role),
-            Marker::Origin => {
-                // Not filled: what begins or ends at the origin is seen up to its dot, at its true length.
-                self.push_stroked(disc(RING * radius), Pen::vector(role).width(HOLLOW));
-                self.solid(disc(ORIGIN_DOT * radius), role)
-            }
+            Marker::Origin => self.origin(at, radius, role),
         }
     }
 
@@ -88,6 +90,21 @@ impl Sketch<'_> {
             stroke: Some(stroke),
             shown: Shown::ALWAYS,
         }))
+    }
+
+    /// Draws a dot in a ring, which is not filled: what begins or ends there is seen up to the dot, at its
+    /// true length. It yields to an arrow that ends there, whose point is the origin.
+    fn origin(&mut self, at: DVec2, radius: f64, role: Role) -> &mut Self {
+        let (center, ring, pen) = (self.frame.page(at), RING * radius, Pen::vector(role).width(HOLLOW));
+        let ends = |(tip, _): &&(DVec2, DVec2)| (self.frame.page(*tip) - center).length() < SPECK;
+        let disc = |radius| Contour::Circle { center, radius };
+        let Some(&(_, tail)) = self.tips.iter().find(ends) else {
+            self.push_stroked(disc(ring), pen);
+            return self.solid(disc(ORIGIN_DOT * radius), role);
+        };
+        let ring = ring / self.frame.scale;
+        self.arc(at, ring, angle_of(tail - at) + OPENING, TAU - 2.0 * OPENING, pen);
+        self.solid(disc(YIELDING_DOT * radius), role)
     }
 
     /// Draws two lines across each other.

@@ -82,6 +82,8 @@ pub(crate) struct Sketch<'f> {
     small: f64,
     /// What labels keep off so far.
     obstacles: Vec<Obstacle>,
+    /// Where the arrows end and begin that end at points without a marker so far, in the panel's space.
+    tips: Vec<(DVec2, DVec2)>,
     /// The labels asked for so far.
     requests: Vec<Request>,
     /// The bodies that were filled so far.
@@ -151,6 +153,7 @@ impl<'f> Sketch<'f> {
             axes: true,
             small: theme.text.of(Size::Small.kind()),
             obstacles: Vec::new(),
+            tips: Vec::new(),
             requests: Vec::new(),
             bodies: Vec::new(),
             regions: Vec::new(),

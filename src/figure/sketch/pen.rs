@@ -40,12 +40,14 @@ pub(crate) struct Pen {
     pub(crate) dash: Dash,
     /// Opacity, from 0 to 1.
     pub(crate) opacity: f64,
+    /// Whether its ends are round: a corner of two lines is whole then.
+    pub(crate) round: bool,
 }
 
 impl Pen {
     /// An opaque line.
     const fn of(role: Role, kind: LineKind, dash: Dash) -> Self {
-        Self { role, kind, width: kind.width(), dash, opacity: 1.0 }
+        Self { role, kind, width: kind.width(), dash, opacity: 1.0, round: false }
     }
 
     /// A pen for the outline of a body: 2.25 px.
@@ -113,6 +115,12 @@ impl Pen {
     #[must_use]
     pub(crate) const fn width(self, width: f64) -> Self {
         Self { width, ..self }
+    }
+
+    /// The pen with round ends.
+    #[must_use]
+    pub(crate) const fn round(self) -> Self {
+        Self { round: true, ..self }
     }
 
     /// The pen at another opacity, from 0 to 1.
