@@ -17,10 +17,10 @@ use super::difference::{difference, draw_edge};
 use super::edge_cues::EdgeCues;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
-/// Opacity of the copy of B that touches A, and how many there are at most: one tells where b is then, and
-/// readers took two for clutter.
-const COPY: f64 = 0.7;
-const COPIES: usize = 1;
+/// Opacity of the copies of B that touch A, first of the one that is named, and how many there are at most:
+/// one alone does not say that it may be anywhere around A, and three are a net.
+const COPY: [f64; 2] = [0.8, 0.5];
+const COPIES: usize = 2;
 
 pub(super) const LAYER: Layer = Layer {
     name: "grown",
@@ -38,7 +38,7 @@ pub(super) const LAYER: Layer = Layer {
             name: "around",
             takes: Takes::Flag,
             default: "false",
-            about: "a faint copy of B moved around A, where it touches it, with the point in it",
+            about: "faint copies of B moved around A, where it touches it, with the point in them",
         },
         OptionSpec {
             name: "distance",
@@ -52,7 +52,8 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "grown", about: "the grown A; only where a scene gives it a text" },
         LabelKey { key: "b", about: "the point that B shrinks to" },
         LabelKey { key: "copy", about: "what the dotted copies are" },
-        LabelKey { key: "d", about: "distance or depth, with distance" },
+        LabelKey { key: "b'", about: "the point in a copy, with around" },
+        LabelKey { key: "d_b", about: "distance or depth of the point, with distance" },
     ],
     needs: "two convex bodies",
     fed: |context, _| Fed::by_the_scene(difference(context, context.time).is_some()),
@@ -92,8 +93,11 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     };
     edges(sketch, &found, &cues, turned);
     sketch.since(None).part("around");
-    for place in around {
+    for &place in &around {
         sketch.marker(place, Marker::Square, Role::B, MARKER);
+    }
+    if let (Some(&first), Some(letter)) = (around.first(), letter_of_b(context)) {
+        sketch.label(Label::new("b'", letter, Anchor::point(first), Role::B).rank(Rank::Point));
     }
     sketch.part("ghost-B").area(&outline_b, None, Some(Pen::ghost(Role::B)));
     if options.flag("distance", false) {
@@ -181,8 +185,9 @@ fn around(
     // Those that are far from B itself and from each other, and no more than leave A to be seen.
     let places = spread(&places, b);
     sketch.part("copies").weight(Weight::Light);
-    for &place in &places {
-        sketch.area(&outline_b.moved(place - b), None, Some(Pen::ghost(Role::B).opacity(COPY)));
+    for (k, &place) in places.iter().enumerate() {
+        let pen = Pen::ghost(Role::B).opacity(COPY[k.min(1)]);
+        sketch.area(&outline_b.moved(place - b), None, Some(pen));
     }
     if let Some(&last) = places.first() {
         let text = format!("{} moved around {}", context.name(Side::B), context.name(Side::A));
@@ -225,7 +230,9 @@ fn distance(sketch: &mut Sketch, context: &Context, found: &Difference, b: DVec2
     } else {
         sketch.dimension(b, to, 0.0, Pen::dimension(role).width(1.5));
     }
-    sketch.label(Label::new("d", text, Anchor::middle(b, to), role));
+    let end = letter_of_b(context).map(|b| format!("to {b}"));
+    let lines = std::iter::once(text).chain(end).collect();
+    sketch.label(Label { lines, ..Label::new("d_b", "", Anchor::middle(b, to), role) });
 }
 
 /// The letter of the point that B shrinks to, its origin: the small one of a name that is a letter.
