@@ -45,7 +45,10 @@ pub(crate) fn common(a: &Outline, b: &Outline) -> Option<Common> {
         return None;
     }
     let kept = [in_a.within(&in_b), in_b.within(&in_a)];
-    let mut all: Vec<Span> = kept.concat();
+    // Where both lines run together the common part has one: twice around it, even-odd filling has nothing.
+    let near = NOTHING * in_a.size;
+    let alone = kept[1].iter().filter(|span| !kept[0].iter().any(|other| other.is_along(span, near)));
+    let mut all: Vec<Span> = kept[0].iter().chain(alone).copied().collect();
     let turn = |span: &Span| span.direction().rem_euclid(TAU);
     sort_by(&mut all, |a, b| turn(a).total_cmp(&turn(b)));
     let whole = Outline { closed: true, ..joined(&all)? };
@@ -58,6 +61,8 @@ struct Region {
     spans: Vec<Span>,
     /// Points along its line, the first again at the end.
     points: Vec<DVec2>,
+    /// How far it reaches from corner to corner of its box.
+    size: f64,
 }
 
 impl Region {
@@ -71,7 +76,7 @@ impl Region {
         let turns = |w: &[DVec2]| (w[1] - w[0]).perp_dot(w[2] - w[1]) >= -NOTHING * size * size;
         let around: Vec<DVec2> = points.iter().chain(points.get(1)).copied().collect();
         let is_convex = outline.closed && around.windows(3).all(turns);
-        (is_convex && size > 0.0).then(|| Self { spans: spans(outline), points })
+        (is_convex && size > 0.0).then(|| Self { spans: spans(outline), points, size })
     }
 
     /// Whether a point lies in it or on its line.
@@ -86,6 +91,7 @@ impl Region {
         let mut kept = Vec::new();
         for span in &self.spans {
             let mut shares: Vec<f64> = other.spans.iter().flat_map(|by| span.crossed(by)).collect();
+            shares.extend(other.spans.iter().flat_map(|by| span.met_by_ends(by, NOTHING * self.size)));
             shares.retain(|share| (NOTHING..=1.0 - NOTHING).contains(share));
             shares.extend([0.0, 1.0]);
             sort_by(&mut shares, f64::total_cmp);
@@ -161,6 +167,31 @@ impl Span {
                 points.into_iter().filter(|p| p.is_finite()).map(|p| self.share_of(p)).collect()
             }
         }
+    }
+
+    /// The shares at which another piece begins and ends that runs along the line or circle that carries this
+    /// one, as near as `near`: where that is left without a corner, nothing crosses.
+    fn met_by_ends(&self, by: &Self, near: f64) -> Vec<f64> {
+        let ends = [by.at(0.0), by.at(1.0)];
+        match (*self, *by) {
+            (Self::Line(p, q), Self::Line(..)) => {
+                let u = q - p;
+                let is_on = |r: &DVec2| u.perp_dot(r - p).abs() <= near * u.length();
+                let share = |r: &DVec2| (r - p).dot(u) / u.length_squared();
+                if ends.iter().all(is_on) { ends.iter().map(share).collect() } else { Vec::new() }
+            }
+            (Self::Arc(center, radius, ..), Self::Arc(other, reach, ..))
+                if (other - center).length() <= near && (reach - radius).abs() <= near =>
+            {
+                ends.map(|end| self.share_of(end - center)).to_vec()
+            }
+            _ => Vec::new(),
+        }
+    }
+
+    /// Whether it is another piece but for rounding, `near` at most: its ends and its middle are.
+    fn is_along(&self, other: &Self, near: f64) -> bool {
+        [0.0, 0.5, 1.0].iter().all(|&share| (self.at(share) - other.at(share)).length() <= near)
     }
 
     /// The share of an arc at which it looks in a direction from its centre; beyond 1 where it does not.
@@ -301,6 +332,29 @@ mod tests {
             for j in 0..40 {
                 let p = DVec2::new(-3.0 + 0.151 * f64::from(i), -2.5 + 0.149 * f64::from(j));
                 assert_eq!(in_b.holds(p), in_a.holds(p) && in_capsule.holds(p), "{p}");
+            }
+        }
+    }
+
+    #[test]
+    fn two_lines_that_run_together_go_around_the_common_part_once() {
+        let around = |a: &Outline, b: &Outline| {
+            let whole = common(a, b).unwrap().whole.sampled();
+            whole.windows(2).map(|w| (w[1] - w[0]).length()).sum::<f64>()
+        };
+        let disc = Outline::circle(DVec2::new(0.5, 0.25), 1.0);
+        let box_ = square(1., 2., 3.);
+        let capsule = Outline::rounded(&[DVec2::new(0.5, 0.25), DVec2::new(3., 1.)], 1.0);
+        let rounded = Outline::rounded(&[DVec2::new(-0.3, 0.25), DVec2::new(0.7, 0.25)], 0.35);
+        let plank = Outline::polygon(&[(-2., -0.1), (2., -0.1), (2., 0.6), (-2., 0.6)].map(DVec2::from));
+        // A disc in the end of a capsule, a box flush with a longer one, a capsule between two lines.
+        let pairs = [(&disc, &disc, TAU), (&box_, &box_, 24.0), (&disc, &capsule, TAU)];
+        let long = 2.0 + TAU * 0.35;
+        for (a, b, length) in pairs.into_iter().chain([(&rounded, &plank, long), (&capsule, &capsule, 0.0)]) {
+            let length = if length > 0.0 { length } else { TAU + 2.0 * DVec2::new(2.5, 0.75).length() };
+            for found in [around(a, b), around(b, a)] {
+                // Chords stand for arcs.
+                assert!((found - length).abs() < 2e-3 * length, "{found}, not {length}");
             }
         }
     }
