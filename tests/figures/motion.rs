@@ -156,8 +156,8 @@ fn figure_8_shows_the_arc_of_the_extreme_point_and_its_sector() {
     let turned = |(x, y): P| (c * x - s * y, s * x + c * y);
     let p = (4.8, 1.4);
     let q = turned(p);
-    let one = look(&f, 0, [-1.8, -1.85, 5.7, 5.05]);
-    let vertices = [(-1.4, -0.8), (3.4, -0.8), p, (-1.3, 0.6)];
+    let one = look(&f, 0, [-1.6, -1.5, 5.6, 5.0]);
+    let vertices = [(-0.8, -0.7), (3.6, -0.7), p, (-0.7, 0.6)];
     // Half as far out, on the way to p.
     let [near, far] = [p, q].map(|(x, y)| (0.5 * x, 0.5 * y));
     shows![
@@ -170,7 +170,7 @@ fn figure_8_shows_the_arc_of_the_extreme_point_and_its_sector() {
         one.arc(A, (0.0, 0.0), near, far) && one.marker(A, near) && one.marker(A, far),
     ];
     // Straightened, as far out as they were: 0.8 times as long as that.
-    let two = look(&f, 1, [-0.95, -2.1, 6.55, 4.8]);
+    let two = look(&f, 1, [-0.75, -1.95, 6.45, 4.55]);
     shows![
         two.any_line((0.0, 0.0), (5.0, 0.0)) && two.any_line((0.0, 0.0), (5.0, 4.0)),
         two.arrow(Now, (5.0, 0.0), (5.0, 4.0)) && two.arrow(A, (2.5, 0.0), (2.5, 2.0)),
@@ -191,7 +191,7 @@ fn figure_8_shows_the_arc_of_the_extreme_point_and_its_sector() {
 #[test]
 fn frames_continuous_tests_the_whole_way_and_stops_a_where_it_touches() {
     let f = figure("frames-continuous");
-    let view = [-5.8, -2.85, 5.4, 2.85];
+    let view = [-5.55, -2.35, 5.13, 2.45];
     let b = super::overlap::WALL;
     let one = look(&f, 0, view);
     let (start, end) = ((-4.2125, 1.1), (3.7875, -0.9));
@@ -209,11 +209,11 @@ fn frames_continuous_tests_the_whole_way_and_stops_a_where_it_touches() {
         one.along(A, start, end),
         one.marker(Ink, contact),
         f.says("$A$ at $t = 0$") && one.text_near("$t = 0.3$", hit, 40.0),
-        f.says("$t = 1$, without the test"),
+        one.text_near("$t = 1$", end, 40.0),
         // The way's head is at its end, where A would be.
         one.head(A, end),
     ];
-    let two = look(&f, 1, [-5.8, -2.85, 1.5, 2.85]);
+    let two = look(&f, 1, [-5.52, -2.35, 1.441, 2.45]);
     shows![
         two.circle(A, hit, 1.0).is_some_and(|p| p.fill.is_some()),
         two.circle(A, start, 1.0).is_some_and(dashed),

@@ -23,6 +23,9 @@ const SEPARATED: &str = "separated";
 /// The word for bodies pushed apart by the next longer way out, which is no moment either.
 const RIVAL: &str = "rival";
 
+/// The word for bodies where they are, in a panel that draws them solid where they are pushed to.
+const NOW: &str = "now";
+
 /// Opacity of a ghost's fill: enough to see that it is a body, too little to be taken for one that is there.
 const FAINT: f64 = 0.05;
 
@@ -64,13 +67,14 @@ pub(super) const LAYER: Layer = Layer {
                 When::BOUND,
                 SEPARATED,
                 RIVAL,
+                NOW,
                 When::START,
                 When::END,
                 STEPS,
             ]),
             default: "\"hit\"",
             about: "when, or overlapping bodies \"separated\" by the minimum translation, or by the \
-                next local minimum, a longer push, or at every step",
+                next local minimum, a longer push, \"now\" where they are, or at every step",
         },
         OptionSpec { name: "fill", takes: Takes::Flag, default: "false", about: "a faint fill" },
         OptionSpec {
@@ -121,6 +125,7 @@ pub(super) const LAYER: Layer = Layer {
             (None, Some(_)) => Fed::NotHere("the bodies are apart already, or have no other way out"),
             (way, _) => Fed::by_the_scene(way.is_some()),
         },
+        NOW => Fed::Yes,
         STEPS => Fed::by_the_scene(!context.steps().is_empty()),
         _ => Fed::by_the_answer(when(context, options).is_some(), context.asks_for_a_hit()),
     },
@@ -152,6 +157,10 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
                 pushed(sketch, context, options, (side, way, [or, "pushed out"]));
             }
             RIVAL => pushed(sketch, context, options, (side, rival(context), [or, "pushed farther"])),
+            NOW => {
+                let Some(outline) = context.outline(side, context.time) else { continue };
+                ghost(sketch, options, side, &outline, vec![context.named(side).primed(0)]);
+            }
             STEPS => steps(sketch, context, options, side),
             _ => moment(sketch, context, options, side),
         }

@@ -90,13 +90,16 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let away = others(context, &b);
     let down = if away.y < 0.0 { b.y } else { -b.y };
     let aside = if away.x > 0.0 { -b.x } else { b.x };
+    // In the box away from other bodies too; beside it to the corner of largest coordinates.
+    let inside = options.word("style", "dimension") == "inside";
+    let [right, up] = if inside { [aside, down] } else { [b.x, b.y] };
     line(
         sketch,
         options,
         &Line {
             key: "h_x",
             from: b.center,
-            along: b.x * b.half.x,
+            along: right * b.half.x,
             out: down * (b.half.y + offset),
             past: down * b.half.y,
             length: b.half.x,
@@ -108,7 +111,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         &Line {
             key: "h_y",
             from: b.center,
-            along: b.y * b.half.y,
+            along: up * b.half.y,
             out: aside * (b.half.x + offset),
             past: aside * b.half.x,
             length: b.half.y,
