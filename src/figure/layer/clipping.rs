@@ -43,7 +43,7 @@ pub(super) const LAYER: Layer = Layer {
     labels: &[
         LabelKey { key: "reference", about: "the reference edge" },
         LabelKey { key: "incident", about: "the incident edge" },
-        LabelKey { key: "n", about: "the reference edge's normal, where nothing is cut or measured" },
+        LabelKey { key: "n", about: "the reference edge's normal, with planes, where nothing is measured" },
         LabelKey { key: "facing", about: "the incident edge's normal, where nothing is cut or measured" },
         LabelKey { key: "cut", about: "what a plane cuts off" },
         LabelKey { key: "d_1", about: "depth of the first contact along the reference edge" },
@@ -152,8 +152,11 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let left = if cut || depths { left(&found) } else { found.incident };
         // The ends of what is left have names of their own, and the depths stand between the edges.
         both_edges(sketch, &found, (left, cut || !depths), options);
-        if !cut && !depths {
-            facing(sketch, &found, options);
+        if planes && !depths {
+            reference_normal(sketch, &found, options);
+            if !cut {
+                facing(sketch, &found);
+            }
         }
     }
     if cut {
@@ -222,12 +225,16 @@ fn both_edges(
     }
 }
 
-/// Draws the outward normals of both edges: of all the edges of its body, the incident one has the normal
-/// that is most against n.
-fn facing(sketch: &mut Sketch, found: &Clipping, options: &Options) {
+/// Draws the outward normal of the reference edge, beside its name.
+fn reference_normal(sketch: &mut Sketch, found: &Clipping, options: &Options) {
     let [p, q] = found.reference;
     let foot = p + (q - p) * ASIDE;
     normal(sketch, ("reference-normal", foot, found.normal), ("n", "$n$", options.role(Role::Now)));
+}
+
+/// Draws the outward normal of the incident edge: of all the edges of its body, it has the one that is most
+/// against n.
+fn facing(sketch: &mut Sketch, found: &Clipping) {
     let [p, q] = found.incident;
     let Some(across) = perp(q - p).try_normalize() else { return };
     let out = if across.dot(found.normal) < 0.0 { across } else { -across };

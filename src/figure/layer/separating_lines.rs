@@ -16,16 +16,16 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{
-    Anchor, Label, MARKER, Marker, Outline, Pen, SMALL_MARKER, Sketch, Wash, Weight, angle_of, on_circle,
+    Anchor, Label, MARKER, Marker, Outline, Pen, Rank, SMALL_MARKER, Size, Sketch, Wash, Weight, angle_of,
+    on_circle,
 };
 use crate::geometry::{DVec2, Side, perp};
 
 use super::separating_cone::{Cone, FILL, NAMES, PAST, TANGENT, TURNED, cone, fitting_radius, right_angle};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
-/// Opacity of the line square to the direction of the greatest gap where those that touch both bodies are
-/// drawn: it is one of many between them.
-const FAINT: f64 = 0.45;
+/// Opacity of a line that touches both bodies where it runs through the cone: it is no side of that.
+const FAINT: f64 = 0.3;
 
 /// The words of the option `show`.
 const PARTS: [&str; 2] = ["line", "cone"];
@@ -46,12 +46,13 @@ pub(super) const LAYER: Layer = Layer {
             name: "show",
             takes: Takes::Words(&PARTS),
             default: "all",
-            about: "which parts: the direction of the greatest gap with a line square to it; the two \
+            about: "which parts: the direction of the greatest gap, alone with a line square to it; the two \
                 lines with the cone",
         },
     ],
     labels: &[
         LabelKey { key: "n", about: "the direction of the greatest gap" },
+        LabelKey { key: "pivot", about: "where the two lines cross; only where a scene gives it a text" },
         LabelKey { key: "t_1", about: "the line square to the cone's first end, with names" },
         LabelKey { key: "t_2", about: "the line square to the cone's second end, with names" },
         LabelKey { key: "n_1", about: "the first end of the cone, with names" },
@@ -112,8 +113,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let nearest = support(context, Side::B, -found.normal).unwrap_or(origin);
     let radius = fitting_radius(sketch, found.normal.dot(nearest - origin));
     let [line, cone] = PARTS.map(|part| options.shows("show", part, true));
-    if line {
-        between(sketch, context, origin, (found.normal, cone));
+    if line && !cone {
+        between(sketch, context, origin, found.normal);
     }
     if cone {
         fan(sketch, options, &lines, (origin, radius));
@@ -123,6 +124,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         sketch.part("direction").arrow(origin, tip, Pen::vector(Role::Ink));
         sketch.label(Label::new("n", "$n$", Anchor::tip(origin, tip), Role::Ink));
     }
+    sketch.part("crossing").marker(origin, Marker::Disc, Role::Ink, SMALL_MARKER + 0.5);
+    let anchor = Anchor::point_toward(origin, -found.normal);
+    sketch.label(Label::new("pivot", "", anchor, Role::Ink).rank(Rank::Word).size(Size::Note));
 }
 
 /// Draws both lines that touch the bodies and the cone between the directions square to them.
@@ -130,39 +134,47 @@ fn fan(sketch: &mut Sketch, options: &Options, lines: &[Touching; 2], (origin, r
     let (role, names) = (options.role(Role::Translation), options.flag("names", false));
     let sector = Outline::sector(origin, radius, lines[0].turn, lines[1].turn - lines[0].turn);
     sketch.part("cone").area(&sector, Some(Wash::faint(role, FILL)), None);
+    // Square to one side of it, each line runs through it where it is that wide.
+    let inside = if (lines[1].turn - lines[0].turn).abs() > FRAC_PI_2 { radius } else { 0.0 };
     for (line, [tangent, name]) in lines.iter().zip(NAMES) {
-        touching(sketch, line, origin, names.then_some(tangent));
+        touching(sketch, line, (origin, inside), names.then_some(tangent));
         let tip = on_circle(origin, radius, line.turn);
         sketch.part("cone-edge").arrow(origin, tip, Pen::highlighted(TURNED));
         if names {
             sketch.label(Label::new(name, format!("${name}$"), Anchor::tip(origin, tip), TURNED));
         }
     }
-    sketch.part("crossing").marker(origin, Marker::Disc, Role::Ink, SMALL_MARKER);
 }
 
-/// Draws a line between the bodies square to a direction, past both of them: with its right angle, or,
-/// where those of the cone's ends are marked, faint.
-fn between(sketch: &mut Sketch, context: &Context, origin: DVec2, (normal, cone): (DVec2, bool)) {
+/// Draws a line between the bodies square to a direction, as far as they reach, with its right angle.
+fn between(sketch: &mut Sketch, context: &Context, origin: DVec2, normal: DVec2) {
     let along = perp(normal);
     let reach = |way: DVec2| {
         let far = Side::BOTH.into_iter().filter_map(|side| support(context, side, way));
         far.map(|p| way.dot(p - origin)).fold(0.0, f64::max)
     };
-    let past = sketch.px(PAST);
-    let [from, to] = [-along, along].map(|way| origin + way * (reach(way) + past));
-    let pen = Pen::vector(Role::Ink).width(TANGENT).opacity(if cone { FAINT } else { 1.0 });
-    sketch.part("between").line(from, to, pen);
-    if !cone {
-        right_angle(sketch, origin, [angle_of(normal), angle_of(-along)]);
-    }
+    let [from, to] = [-along, along].map(|way| origin + way * reach(way));
+    sketch.part("between").line(from, to, Pen::vector(Role::Ink).width(TANGENT));
+    right_angle(sketch, origin, [angle_of(normal), angle_of(-along)]);
 }
 
-/// Draws a line that touches both bodies, where it does, its right angle to the cone's end, its name.
-fn touching(sketch: &mut Sketch, line: &Touching, origin: DVec2, name: Option<&'static str>) {
-    let (past, [a, b]) = (sketch.px(PAST), line.at);
+/// Draws a line that touches both bodies, faintly for the length `inside` from where they cross, where it
+/// touches them, its right angle to the cone's end, its name.
+fn touching(
+    sketch: &mut Sketch,
+    line: &Touching,
+    (origin, inside): (DVec2, f64),
+    name: Option<&'static str>,
+) {
+    let (past, [a, b], pen) = (sketch.px(PAST), line.at, Pen::vector(TURNED).width(TANGENT));
     let (back, beyond) = (on_circle(a, past, line.along + PI), on_circle(b, past, line.along));
-    sketch.part("tangent").weight(Weight::Light).line(back, beyond, Pen::vector(TURNED).width(TANGENT));
+    sketch.part("tangent").weight(Weight::Light);
+    if inside > 0.0 {
+        let rim = on_circle(origin, inside, line.along);
+        sketch.line(back, origin, pen).line(origin, rim, pen.opacity(FAINT)).line(rim, beyond, pen);
+    } else {
+        sketch.line(back, beyond, pen);
+    }
     right_angle(sketch, origin, [line.along + PI, line.turn]);
     sketch.part("touching").marker(a, Marker::Disc, Role::A, MARKER);
     sketch.part("touching").marker(b, Marker::Square, Role::B, MARKER);
@@ -204,7 +216,7 @@ mod tests {
     #[test]
     fn a_line_between_the_bodies_and_the_cone_are_shown_apart() {
         for (show, [line, touching]) in
-            [("", [1, 2]), (", show = ['line']", [1, 0]), (", show = ['cone']", [0, 2])]
+            [("", [0, 2]), (", show = ['line']", [1, 0]), (", show = ['cone']", [0, 2])]
         {
             let text = format!(
                 "shapes.A = {{ kind = 'box', half_extents = [1, 0.6], angle_deg = 30 }}
@@ -216,10 +228,13 @@ mod tests {
             let plan = plan(&scene).unwrap();
             let figure = draw(&plan, plan.theme, "lines");
             let count = |part| paths(&figure.drawing.items, part).len();
-            assert_eq!([count("between"), count("tangent")], [line, touching], "{show}");
+            // Each in three pieces, the middle one faint in the cone, which is wider than a right angle.
+            assert_eq!([count("between"), count("tangent")], [line, 3 * touching], "{show}");
             let all = labels(&figure);
             let named = ["n", "n_1", "n_2"].map(|key| usize::from(all.contains_key(key)));
-            assert_eq!(named, [line, touching / 2, touching / 2], "{show}");
+            let n = usize::from(!show.contains("cone"));
+            assert_eq!(named, [n, touching / 2, touching / 2], "{show}");
+            assert_eq!(count("crossing"), 1, "{show}");
         }
     }
 }
