@@ -151,8 +151,8 @@ pub(super) fn draw_panel(
         detail.items = vec![ground, layers(sketched, edge), frame, names];
         let mut detail = Item::Group(detail);
         detail.for_each_shown(&|shown| *shown = shown.after(first));
-        inset.comes(&mut detail);
         cues.extend(own);
+        inset.comes(&mut detail, &cues);
         group.items.push(detail);
         labelled
     });

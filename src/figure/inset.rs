@@ -10,6 +10,7 @@ use crate::drawing::{Contour, Group, Item, Offset, Path, Point, Rect, Role, Show
 use crate::geometry::DVec2;
 use crate::scene::{Detail, Panel};
 
+use super::cue::Cue;
 use super::frame::Frame;
 use super::placement::Labelled;
 use super::sketch::{Anchor, Cover, Label, Obstacle, Rank, Request, Sketch, Sketched, Weight};
@@ -191,7 +192,7 @@ impl Inset {
         group.items.push(Item::Path(Path::stroked(framed(&self.detail), stroke.clone())));
         group.items.push(Item::Path(Path::stroked(Contour::line(from, to), stroke)));
         let mut marks = Item::Group(group);
-        self.comes(&mut marks);
+        marks.for_each_shown(&|shown| *shown = self.shown);
         marks
     }
 
@@ -203,12 +204,21 @@ impl Inset {
         [ground, frame].map(Item::Path)
     }
 
-    /// Makes what every step would show come with the inset.
-    pub(crate) fn comes(&self, item: &mut Item) {
-        let always = |shown: &Shown| *shown == Shown::ALWAYS;
+    /// Makes what the inset holds come no earlier than itself, and stay no longer: what came before comes with
+    /// it. `cues` are those for which the numbers stand.
+    pub(crate) fn comes(&self, item: &mut Item, cues: &[Cue]) {
+        let cue = |number: usize| number.checked_sub(2).and_then(|index| cues.get(index));
+        // What no event brings was there before all that one does.
+        let is_before = |a: usize, b: usize| match (cue(a), cue(b)) {
+            (Some(a), Some(b)) => a.order(b).is_lt(),
+            (a, b) => a.is_none() && b.is_some(),
+        };
         item.for_each_shown(&|shown| {
-            if always(shown) {
-                *shown = self.shown;
+            if is_before(shown.since, self.shown.since) {
+                shown.since = self.shown.since;
+            }
+            if let Some(end) = self.shown.until {
+                shown.until = Some(shown.until.filter(|&own| is_before(own, end)).unwrap_or(end));
             }
         });
     }

@@ -183,6 +183,43 @@ fn an_inset_of_a_small_length_comes_with_the_answer() {
     assert_eq!(painted(figure.drawing.steps.len()), [true, true]);
 }
 
+/// Whether anything of an item is drawn.
+fn is_seen(item: &Item) -> bool {
+    match item {
+        Item::Group(group) => group.items.iter().any(is_seen),
+        Item::Path(_) | Item::Text(_) => true,
+    }
+}
+
+#[test]
+fn nothing_in_an_inset_is_seen_without_it() {
+    let shapes = [
+        "kind = 'box', half_extents = [1, 1], position = [0.3, 1.48]",
+        "kind = 'polygon', vertices = [[-1, 0.48], [1, 0.49], [0, 3]]",
+    ];
+    for (query, shape) in ["contact", "separation", "overlap"].iter().flat_map(|q| shapes.map(|s| (q, s))) {
+        let text = format!(
+            "shapes.crate = {{ {shape} }}
+            shapes.floor = {{ kind = 'aabb', half_extents = [4, 0.5] }}
+            query = {{ kind = '{query}', of = ['crate', 'floor'] }}"
+        );
+        let scene = open_text("steps", &text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let drawing = draw_in_steps(&plan, plan.theme, "steps").drawing;
+        let count = drawing.steps.len();
+        let insets = (1..=count).filter_map(|step| {
+            let items = drawing.at_step(step).items;
+            let own = group(&items, "inset")?.clone();
+            Some((step, own.items.iter().any(is_seen), own.items.iter().any(|i| matches!(i, Item::Path(_)))))
+        });
+        let insets: Vec<_> = insets.collect();
+        assert!(insets.iter().any(|(_, _, is_there)| *is_there), "{query} {shape}");
+        for (step, holds, is_there) in insets {
+            assert!(is_there || !holds, "{query} {shape}: step {step} of {count}");
+        }
+    }
+}
+
 #[test]
 fn the_word_for_what_is_small_is_read_and_no_other() {
     let codes = |panel: &str| match open_text("inset", &scene(panel)) {
