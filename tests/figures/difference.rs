@@ -168,30 +168,30 @@ fn demo_polygons_shows_the_way_out_to_the_nearest_edge() {
 #[test]
 fn gjk_steps_shows_the_simplex_its_closest_point_and_the_vertex_that_comes_next() {
     let f = figure("gjk-steps");
-    let view = [-2.2, -2.5, 11.2, 8.3];
+    let view = [-2.2, -2.75, 11.2, 8.55];
     let panels = [0, 1, 2, 3].map(|i| look(&f, i, view));
     for panel in &panels {
         // (2, 5) − (3, −2), and so on: faint, as no vertex is known before it is asked for.
         let all = [(-1.0, 7.0), (1.0, 3.0), (5.0, 0.0), (9.0, 2.0), (8.0, 5.0), (2.0, 7.0)];
-        let faint = |p: &Path| p.stroke.as_ref().is_some_and(|s| s.paint.opacity < 1.0 && s.width < 1.5);
+        let faint = |p: &Path| p.stroke.as_ref().is_some_and(|s| s.paint.opacity < 1.0 && s.width < 2.0);
         shows![panel.polygon(Difference, &all).is_some_and(faint), !panel.marker(Difference, (8.0, 5.0))];
     }
     shows![
         // b₁ − a₀ = (9, 2) is farthest to the right; then b₀ − a₁ = (−1, 7), b₁ − a₂ = (5, 0) and
         // b₀ − a₂ = (1, 3), which with (5, 0) is on the line 3x + 4y = 15, 3 from the origin.
-        panels[0].marker(Now, (9.0, 2.0)) && panels[0].text_near("$(9, 2)$", (9.0, 2.0), 60.0),
+        panels[0].marker(Now, (9.0, 2.0)) && panels[0].text_near("$w_{0} = (9, 2)$", (9.0, 2.0), 60.0),
         panels[0].arrow_toward(Translation, (0.0, 0.0), (9.0, 2.0)),
-        panels[0].text_near("$w = (-1, 7)$", (-1.0, 7.0), 60.0),
+        panels[0].text_near("$w_{1} = (-1, 7)$", (-1.0, 7.0), 70.0),
         panels[1].line(Now, (9.0, 2.0), (-1.0, 7.0)).is_some(),
         panels[1].arrow_toward(Translation, (0.0, 0.0), (2.6, 5.2)),
-        panels[1].text_near("$w = (5, 0)$", (5.0, 0.0), 60.0),
+        panels[1].text_near("$w_{2} = (5, 0)$", (5.0, 0.0), 70.0),
         panels[2].line(Now, (-1.0, 7.0), (5.0, 0.0)).is_some(),
         panels[2].arrow_toward(Translation, (0.0, 0.0), (245.0 / 85.0, 210.0 / 85.0)),
-        panels[2].text_near("$w = (1, 3)$", (1.0, 3.0), 60.0),
-        panels[2].text_near("dropped", (9.0, 2.0), 60.0),
+        panels[2].text_near("$w_{3} = (1, 3)$", (1.0, 3.0), 70.0),
+        panels[2].text_near("$w_{0}$ dropped", (9.0, 2.0), 60.0),
         panels[3].line(Now, (5.0, 0.0), (1.0, 3.0)).is_some(),
         panels[3].arrow_toward(Translation, (0.0, 0.0), (1.8, 2.4)),
-        panels[3].text_near("dropped", (-1.0, 7.0), 60.0),
+        panels[3].text_near("$w_{1}$ dropped", (-1.0, 7.0), 60.0),
         // The supporting line through w, square to v: x + 2y = 5 in the second.
         panels[1].through((5.0, 0.0), (1.0, 2.0)),
     ];

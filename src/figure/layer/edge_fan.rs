@@ -6,7 +6,9 @@ use std::f64::consts::TAU;
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::cue::Cue;
-use crate::figure::sketch::{Anchor, Label, Marker, Pen, Rank, SMALL_MARKER, Size, Sketch, Weight, angle_of};
+use crate::figure::sketch::{
+    Anchor, Label, Marker, Pen, Rank, SMALL_MARKER, Size, Sketch, Weight, angle_of, on_circle,
+};
 use crate::geometry::{DVec2, Side};
 use crate::trace::Event;
 
@@ -107,6 +109,7 @@ fn order(sketch: &mut Sketch, all: &[Merged]) {
     if sweep > 0.0 {
         sketch.part("order").weight(Weight::Light);
         sketch.arc_arrow(DVec2::ZERO, radius, start, sweep, Pen::dimension(Role::Ink));
+        sketch.marker(on_circle(DVec2::ZERO, radius, start), Marker::Disc, Role::Ink, 0.8 * SMALL_MARKER);
         let arc = Anchor::Arc { center: DVec2::ZERO, radius, start, sweep };
         let label = Label::new("order", "order", arc, Role::Ink);
         sketch.label(label.rank(Rank::Word).size(Size::Note));

@@ -7,7 +7,6 @@ use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Rank, Size, Sket
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
 
-use super::difference::draw_edge;
 use super::edge_fan::{Merged, merged};
 use super::half_extents::ON_LINE;
 use super::vertices::mean;
@@ -72,7 +71,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let (from, to) = (edge.at, edge.at + edge.edge);
         let role = Role::from(edge.taken);
         sketch.since(edge.cue).part(part("taken", edge.taken));
-        draw_edge(sketch, edge.taken, (from, to), Pen::outline(role));
+        arrow(sketch, edge.taken, (from, to), Pen::outline(role));
         // Outside, where nothing else of B ⊖ A is.
         let outside = Anchor::Beside { from: to, to: from, offset: ON_LINE };
         let label = Label::new("step", k.to_string(), outside, role);

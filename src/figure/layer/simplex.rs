@@ -59,12 +59,21 @@ pub(super) const LAYER: Layer = Layer {
             default: "false",
             about: "writes those of the vertex that the search begins with, and of each that comes next",
         },
+        OptionSpec {
+            name: "numbers",
+            takes: Takes::Flag,
+            default: "false",
+            about: "names each vertex by the step that asked for it: w₀, w₁, …",
+        },
     ],
     labels: &[
         LabelKey { key: "closest", about: "the point of the simplex closest to the origin" },
         LabelKey { key: "search", about: "the direction −v in which the next vertex is searched" },
         LabelKey { key: "w", about: "the vertex that comes next" },
-        LabelKey { key: "vertex", about: "the vertex that the search begins with, with coordinates" },
+        LabelKey {
+            key: "vertex",
+            about: "the vertex that the search begins with, with coordinates; each, with numbers",
+        },
         LabelKey { key: "least", about: "the supporting line's distance from the origin, with values" },
         LabelKey { key: "dropped", about: "a vertex of the step before that is no longer needed" },
         LabelKey { key: "stop", about: "that no vertex is farther, where the search ends" },
@@ -94,11 +103,18 @@ pub(super) struct Step {
     next: Option<DVec2>,
     /// Vertices of the step before that it does without.
     dropped: Vec<DVec2>,
+    /// The vertices that were asked for so far, in that order, with the next one.
+    asked: Vec<DVec2>,
     /// With what it comes.
     pub(super) cue: Option<Cue>,
 }
 
 impl Step {
+    /// The number of a vertex in the order in which they were asked for, from 0.
+    fn number(&self, vertex: DVec2) -> Option<usize> {
+        self.asked.iter().position(|w| *w == vertex)
+    }
+
     /// What it proves of the distance of B ⊖ A, without the bodies' radii: at least that of the supporting
     /// line through w, at most that of v. `None` where the origin lies in the simplex.
     pub(super) fn bracket(&self) -> Option<[f64; 2]> {
@@ -127,11 +143,18 @@ pub(super) fn steps(context: &Context) -> Vec<Step> {
         })
         .collect();
     let none = Vec::new();
+    let mut asked: Vec<DVec2> = Vec::new();
     let step = |(i, (cue, ())): (usize, (Cue, ()))| {
         let &(vertices, closest) = told.get(i)?;
         let after = told.get(i + 1).map_or(&none, |(after, _)| *after);
         let before = i.checked_sub(1).and_then(|i| told.get(i)).map_or(&none, |(before, _)| *before);
+        for w in vertices.iter().chain(after) {
+            if !asked.contains(w) {
+                asked.push(*w);
+            }
+        }
         Some(Step {
+            asked: asked.clone(),
             vertices: vertices.clone(),
             closest: closest.filter(|v| *v != DVec2::ZERO),
             next: after.iter().find(|w| !vertices.contains(w)).copied(),
@@ -189,18 +212,7 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
     for &vertex in &step.vertices {
         sketch.part("simplex").marker(vertex, Marker::Diamond, role, MARKER);
     }
-    let coordinated = options.flag("coordinates", false);
-    if let [only] = step.vertices.as_slice()
-        && coordinated
-    {
-        let text = coordinates(sketch, context, *only);
-        sketch.label(Label::new("vertex", text, Anchor::point(*only), role));
-    }
-    for &vertex in &step.dropped {
-        sketch.part("dropped").marker(vertex, Marker::Cross, Role::Muted, LARGE_MARKER);
-        let label = Label::new("dropped", "dropped", Anchor::point(vertex), Role::Muted);
-        sketch.label(label.rank(Rank::Word).size(Size::Note));
-    }
+    names(sketch, context, step, options);
     if let Some(v) = step.closest {
         let values = options.flag("values", false);
         let blue = Role::Translation;
@@ -216,17 +228,39 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
     }
     if let Some(w) = step.next {
         sketch.part("next").marker(w, Marker::HollowDiamond, role, MARKER);
-        let text = named_w(sketch, context, w, coordinated);
+        let name = step.number(w).filter(|_| options.flag("numbers", false));
+        let name = name.map_or_else(|| "w".to_owned(), |k| format!("w_{{{k}}}"));
+        let text = if options.flag("coordinates", false) {
+            format!("${name} = {}$", coordinates(sketch, context, w).trim_matches('$'))
+        } else {
+            format!("${name}$")
+        };
         sketch.label(Label::new("w", text, Anchor::point(w), role).rank(Rank::Point));
     }
 }
 
-/// What is said of the vertex that comes next, as markup.
-fn named_w(sketch: &Sketch, context: &Context, w: DVec2, coordinated: bool) -> String {
-    if coordinated {
-        return format!("$w = {}$", coordinates(sketch, context, w).trim_matches('$'));
+/// Names the vertices: with coordinates the one that the search begins with, with numbers each. Marks those
+/// that were dropped.
+fn names(sketch: &mut Sketch, context: &Context, step: &Step, options: &Options) {
+    let role = options.role(Role::Now);
+    let [coordinated, numbered] = ["coordinates", "numbers"].map(|flag| options.flag(flag, false));
+    let number = |vertex| step.number(vertex).filter(|_| numbered);
+    for &vertex in &step.vertices {
+        let place = (coordinated && step.vertices.len() == 1).then(|| coordinates(sketch, context, vertex));
+        let text = match (number(vertex), place) {
+            (Some(k), Some(place)) => format!("$w_{{{k}}} = {}$", place.trim_matches('$')),
+            (Some(k), None) => format!("$w_{{{k}}}$"),
+            (None, Some(place)) => place,
+            (None, None) => continue,
+        };
+        sketch.label(Label::new("vertex", text, Anchor::point(vertex), role));
     }
-    "$w$".to_owned()
+    for &vertex in &step.dropped {
+        sketch.part("dropped").marker(vertex, Marker::Cross, Role::Muted, LARGE_MARKER);
+        let text = number(vertex).map_or("dropped".to_owned(), |k| format!("$w_{{{k}}}$ dropped"));
+        let label = Label::new("dropped", text, Anchor::point(vertex), Role::Muted);
+        sketch.label(label.rank(Rank::Word).size(Size::Note));
+    }
 }
 
 /// Measures from v towards the origin how far B ⊖ A reaches beyond the cores: the radii, by which the

@@ -11,7 +11,7 @@ use super::half_extents::ON_LINE;
 
 /// Width, page pixels, and opacity of the outline of a difference that nobody has built, and the opacity of
 /// its area: seen, and less than anything that is known of it.
-const UNBUILT: [f64; 3] = [1.0, 0.5, 0.07];
+const UNBUILT: [f64; 3] = [1.5, 0.6, 0.07];
 
 /// Draws its outline faintly, and its name: in its faint area, or, where it has none as what is drawn in
 /// there is something else, outside of its longest edge.
