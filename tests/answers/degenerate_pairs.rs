@@ -154,6 +154,25 @@ fn parallel_segments_face_each_other() {
 }
 
 #[test]
+fn parallel_segments_that_are_about_to_touch_are_known_as_well_in_either_order() {
+    // The start of one edge lies behind the middle of B ⊖ A, a line: the walk around it comes by its back.
+    for of in [["A", "B"], ["B", "A"]] {
+        let line = format!(
+            r#"{{"shapes": {{"A": {{"kind": "capsule", "points": [[-15, 9], [10, -6]], "radius": 0,
+            "angle_deg": -134.06246857500142, "velocity": [-25, 15]}}, "B": {{"kind": "capsule", "points":
+            [[-15, 9], [-7.5, 4.5]], "radius": 0, "position": [-2.5, 1.5], "angle_deg": -134.06246857500142}}}},
+            "query": {{"kind": "time-of-impact", "of": {of:?}, "algorithm": "swept-axis"}}}}"#
+        );
+        let reply = tracefig::solve_jsonl_line(&line.replace('\n', " "), 1).line;
+        let reply: serde_json::Value = serde_json::from_str(&reply).unwrap();
+        let bounds = &reply["result"]["separation_bounds"];
+        let [lo, hi] = [0, 1].map(|i| bounds[i].as_f64().unwrap());
+        // ε times the size of the bodies, some 17: what is left of a separation that is as near as 1e-13.
+        assert!(lo > 0.0 && hi - lo < 17.0 * f64::EPSILON, "{of:?}: {lo} to {hi}");
+    }
+}
+
+#[test]
 fn a_capsule_without_length_is_a_circle() {
     let ends = vec![DVec2::ONE, DVec2::ONE];
     let fields = [("points", FieldValue::Points(ends)), ("radius", FieldValue::Number(0.5))];

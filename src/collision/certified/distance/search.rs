@@ -96,7 +96,7 @@ fn confirm(pair: &Pair, balls: &BallPair, hint: DifferenceFeature) -> Option<Fou
                 return None;
             }
             let closest = boundary::closest(pair, balls, measured.facing)?;
-            apart(balls, closest).filter(|found| !found.is_loose())
+            apart(pair, balls, closest).filter(|found| !found.is_loose())
         }
         DifferenceFeature::Vertex(vertices) => {
             let found = vertex(balls, vertices)?;
@@ -117,10 +117,10 @@ fn confirm(pair: &Pair, balls: &BallPair, hint: DifferenceFeature) -> Option<Fou
 }
 
 /// The closest feature of bodies that are apart, measured.
-fn apart(balls: &BallPair, closest: Closest) -> Option<Found> {
+fn apart(pair: &Pair, balls: &BallPair, closest: Closest) -> Option<Found> {
     match closest.feature {
         DifferenceFeature::Edge(facing) => {
-            let measured = balls.measure(facing);
+            let (facing, measured) = toward(pair, balls, facing);
             // Where another vertex supports the edge, the foot is known to be on no edge of B ⊖ A.
             let beyond = if measured.facing == facing { closest.beyond } else { f64::INFINITY };
             let core = measured.gap.widen(beyond.min(farther(balls, facing, measured.gap)));
@@ -130,6 +130,18 @@ fn apart(balls: &BallPair, closest: Closest) -> Option<Found> {
         }
         DifferenceFeature::Vertex(vertices) => vertex(balls, vertices),
     }
+}
+
+/// An edge of B ⊖ A that is closest to the origin, measured. A segment's two edges are one line: around two
+/// parallel ones the walk may have come by the one that faces away.
+fn toward(pair: &Pair, balls: &BallPair, facing: DifferenceEdge) -> (DifferenceEdge, MeasuredEdge) {
+    let measured = balls.measure(facing);
+    let hull = pair.hull(facing.source);
+    if hull.vertices.len() > 2 || !measured.gap.is_negative() {
+        return (facing, measured);
+    }
+    let facing = DifferenceEdge { edge: hull.next(facing.edge), ..facing };
+    (facing, balls.measure(facing))
 }
 
 /// Bound on how much farther B ⊖ A is than the gap along an edge of it: the edge's start is a point of B ⊖ A.
@@ -165,7 +177,7 @@ fn search(pair: &Pair, balls: &BallPair, hint: Option<DifferenceFeature>) -> Fou
     if best.gap.is_negative() {
         return through;
     }
-    let outside = boundary::closest(pair, balls, best.facing).and_then(|closest| apart(balls, closest));
+    let outside = boundary::closest(pair, balls, best.facing).and_then(|closest| apart(pair, balls, closest));
     let beyond = outside.map(|found| (found, found.core - best.gap));
     match beyond {
         // On the line of an edge but off its end, or properly outside.
