@@ -4,9 +4,9 @@ use tracefig::drawing::Role::{A, B, Ink, Muted, Now, Translation};
 
 use super::{Look, figure, look};
 
-/// 4/5 and 3/5: the box of `circle-obb` is turned by atan 3/4.
+/// 3/5 and 4/5: the box of `circle-obb` is turned by atan 4/3.
 fn turned((x, y): (f64, f64)) -> (f64, f64) {
-    (0.8 * x - 0.6 * y, 0.6 * x + 0.8 * y)
+    (0.6 * x - 0.8 * y, 0.8 * x + 0.6 * y)
 }
 
 #[test]
@@ -105,12 +105,12 @@ fn figure_3_shows_v_its_clamped_components_and_the_distance() {
         w.any_line((3.0, 0.0), (3.0, 2.0)),
         w.any_line((0.0, 2.0), (3.0, 2.0)),
         w.text_near("$B_c$", closest, 40.0),
-        f.says("$V = (3, 2)$") && f.says("$V_x = 3$") && f.says("$V_y = 2$"),
+        f.says("$V$") && f.says("$V = (3, 2)$") && f.says("$V_x = 3$") && f.says("$V_y = 2$"),
         f.says("cut to $h_x$") && f.says("cut to $h_y$"),
         f.says("$h_x = 2.5$") && f.says("$h_y = 0.8$"),
         f.says("$D$"),
         f.says("$r = 0.8$"),
-        f.says("$0.5$"),
+        f.says("$0.5$") && f.says(r"{translation|distance $= \|D\| - r = 1.3 - 0.8 = 0.5$}"),
     ];
     // The part of D, (0.5, 1.2), that the circle leaves, 1.3 - 0.8, is thick; the radius goes another way.
     let rim = (2.5 + 0.25 / 1.3, 0.8 + 0.6 / 1.3);
@@ -140,7 +140,7 @@ fn circle_circle_shows_centres_radii_and_the_shortfall() {
     shows![
         two.circle(A, (0.0, 0.0), 3.0).is_some(),
         // Solid where it is pushed to, dotted where it was.
-        two.circle(B, (5.0, 0.0), 4.0).is_some_and(dotted),
+        two.circle(B, (5.0, 0.0), 4.0).is_some_and(dotted) && two.marker(B, (5.0, 0.0)),
         two.circle(B, (7.0, 0.0), 4.0).is_some_and(|path| path.fill.is_some()),
         two.arrow(Now, (5.0, 0.0), (7.0, 0.0)),
         // A unit vector, from B to A.
@@ -188,49 +188,49 @@ fn box_box_lays_out_half_extents_gaps_and_centre_distance_axis_by_axis() {
 #[test]
 fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
     let f = figure("circle-obb");
-    let view = [-4.05, -3.34, 4.05, 6.06];
-    let vertices = [(-2.8, -1.5), (2.8, -1.5), (2.8, 1.5), (-2.8, 1.5)];
+    let view = [-4.0, -3.6, 3.5, 5.1];
+    let vertices = [(-2.8, -1.6), (2.8, -1.6), (2.8, 1.6), (-2.8, 1.6)];
     let tilted = vertices.map(turned);
-    // (-0.8, 4.4) in the world.
-    let center = turned((2.0, 4.0));
+    // (-2.3, 3.6) in the world.
+    let center = turned((1.5, 4.0));
     let world = look(&f, 0, view);
     shows![
         world.polygon(A, &tilted).is_some(),
-        world.circle(B, (-0.8, 4.4), 1.2).is_some(),
-        world.arrow_toward(Ink, (0.0, 0.0), center) && f.says("$V = (-0.8, 4.4)$"),
-        world.arrow(Muted, (0.0, 0.0), turned((3.1, 0.0))) && f.says("$x$ axis"),
-        world.any_line((0.0, 0.0), (3.1, 0.0)),
-        f.says("$36.9°$"),
+        world.circle(B, (-2.3, 3.6), 1.1).is_some(),
+        world.arrow_toward(Ink, (0.0, 0.0), center) && f.says("$V = (-2.3, 3.6)$"),
+        world.arrow(Muted, (0.0, 0.0), turned((3.3, 0.0))) && f.says("$x$ axis"),
+        world.any_line((0.0, 0.0), (3.3, 0.0)),
+        f.says("$53.1°$"),
     ];
-    let body = look(&f, 1, [-4.55, -3.4, 3.55, 6.0]);
+    let body = look(&f, 1, [-4.35, -3.15, 3.15, 5.55]);
     let kept = |seen: &Look, x: (f64, f64), y: (f64, f64)| {
         seen.line(A, (0.0, 0.0), x).is_some_and(thick) && seen.line(A, (0.0, 0.0), y).is_some_and(thick)
     };
     shows![
         body.polygon(A, &vertices).is_some(),
-        body.circle(B, (2.0, 4.0), 1.2).is_some(),
-        body.arrow_toward(Ink, (0.0, 0.0), (2.0, 4.0)) && body.arrow(Muted, (0.0, 0.0), (0.0, 4.0)),
+        body.circle(B, (1.5, 4.0), 1.1).is_some(),
+        body.arrow_toward(Ink, (0.0, 0.0), (1.5, 4.0)) && body.arrow(Muted, (0.0, 0.0), (0.0, 4.0)),
         // V_y is cut, V_x stays.
-        kept(&body, (2.0, 0.0), (0.0, 1.5)),
-        body.marker(A, (2.0, 1.5)),
+        kept(&body, (1.5, 0.0), (0.0, 1.6)),
+        body.marker(A, (1.5, 1.6)),
         f.says("$h_x$") && f.says("$h_y$"),
-        f.texts.iter().any(|(t, _)| t.contains("$h_y = 1.5$") && t.contains("$h_x = 2.8$")),
+        f.texts.iter().any(|(t, _)| t.contains("$h_y = 1.6$") && t.contains("$h_x = 2.8$")),
     ];
     let back = look(&f, 2, view);
-    // Of D = (0, 2.5) the circle takes 1.2.
-    let closest = turned((2.0, 1.5));
+    // Of D = (0, 2.4) the circle takes 1.1.
+    let closest = turned((1.5, 1.6));
     shows![
         back.polygon(A, &tilted).is_some(),
         back.marker(A, closest),
-        kept(&back, turned((2.0, 0.0)), turned((0.0, 1.5))),
-        f.says("$V$") && f.says("$V_x = 2$") && f.says("$V_y = 4$"),
+        kept(&back, turned((1.5, 0.0)), turned((0.0, 1.6))),
+        f.says("$V$") && f.says("$V_x = 1.5$") && f.says("$V_y = 4$"),
         f.says("cut to $h_y$") && f.says("$B_c$"),
         f.says("$r$"),
         f.says("$1.3$"),
     ];
     // On the way to the centre, 1.3 up to the circle, and r.
     let unit = super::seen::distance(back.panel.page((0.0, 0.0)), back.panel.page((1.0, 0.0)));
-    for (role, part) in [(Translation, 1.3), (B, 1.2)] {
+    for (role, part) in [(Translation, 1.3), (B, 1.1)] {
         let along = back.lengths(role, (back.panel.page(closest), back.panel.page(center)));
         assert!(along.iter().any(|&x| (x - part * unit).abs() < 0.25), "{part} of {role:?}: {along:?}");
     }

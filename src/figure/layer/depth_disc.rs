@@ -13,7 +13,7 @@ use crate::geometry::{DVec2, Side, perp};
 
 /// Opacity of the disc's line, and of its area, through which the colours of both bodies are still seen.
 const DISC: f64 = 0.7;
-const TINT: f64 = 0.12;
+const TINT: f64 = 0.08;
 
 /// By what part of its radius the disc may leave the body: a rounding, or the chord of an arc; less than is
 /// seen.

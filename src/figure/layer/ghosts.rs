@@ -93,7 +93,7 @@ pub(super) const LAYER: Layer = Layer {
             name: "centers",
             takes: Takes::Flag,
             default: "false",
-            about: "at every step, marks the body's origin",
+            about: "at every step, and now, marks the body's origin",
         },
         OptionSpec {
             name: "numbered",
@@ -160,6 +160,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
             NOW => {
                 let Some(outline) = context.outline(side, context.time) else { continue };
                 ghost(sketch, options, side, &outline, vec![context.named(side).primed(0)]);
+                center(sketch, context, options, (side, context.time));
             }
             STEPS => steps(sketch, context, options, side),
             _ => moment(sketch, context, options, side),
@@ -331,9 +332,15 @@ fn steps(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) 
     }
 }
 
-/// Marks the origin of a body at a step, if the scene wants it: about it the body turns.
+/// Marks the origin of a body at a step, if the scene wants it: about it the body turns; hollow where the body
+/// is no longer.
 fn center(sketch: &mut Sketch, context: &Context, options: &Options, (side, time): (Side, f64)) {
     if let Some(pose) = context.pose(side, time).filter(|_| options.flag("centers", false)) {
-        sketch.part(part("center", side)).marker(pose.position, Marker::Disc, Role::Ink, SMALL_MARKER);
+        let (marker, role) = match side {
+            _ if options.word("at", When::HIT) != NOW => (Marker::Disc, Role::Ink),
+            Side::A => (Marker::HollowDisc, Role::A),
+            Side::B => (Marker::HollowSquare, Role::B),
+        };
+        sketch.part(part("center", side)).marker(pose.position, marker, role, SMALL_MARKER);
     }
 }

@@ -198,7 +198,11 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         _ => sketch.dimension(p, q, 0.0, Pen::dimension(role).width(1.5)),
     };
     sketch.detail(&answer.points);
-    right_angles(sketch, context, &run, &answer, left_of(p, q) * sketch.px(-offset));
+    // A disc that the edge touches says as much; a bar is a part of a way that goes on, and says how long.
+    let is_touched = options.flag("disc", false) && disc_place(context, run.time, &answer).is_some();
+    if !is_touched && options.word("style", "arrow") != "bar" {
+        right_angles(sketch, context, &run, &answer, left_of(p, q) * sketch.px(-offset));
+    }
     if options.flag("rival", false) && answer.bounds.hi < 0.0 {
         rival(sketch.since(run.end()), context, &run, &answer);
     }
