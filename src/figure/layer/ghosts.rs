@@ -332,8 +332,8 @@ fn steps(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) 
     }
 }
 
-/// Marks the origin of a body at a step, if the scene wants it: about it the body turns; hollow where the body
-/// is no longer.
+/// Marks the origin of a body at a step, if the scene wants it: about it the body turns; hollow where the
+/// body is no longer.
 fn center(sketch: &mut Sketch, context: &Context, options: &Options, (side, time): (Side, f64)) {
     if let Some(pose) = context.pose(side, time).filter(|_| options.flag("centers", false)) {
         let (marker, role) = match side {
