@@ -152,12 +152,21 @@ pub(super) fn draw_panel(
         let mut detail = Item::Group(detail);
         detail.for_each_shown(&|shown| *shown = shown.after(first));
         cues.extend(own);
-        inset.comes(&mut detail, &cues);
+        inset.comes(&mut detail, &|a, b| is_before(&cues, a, b));
         group.items.push(detail);
         labelled
     });
     let base = panel.known(&panel.context(plan.scene, &plan.runs));
     DrawnPanel { group, labelled, inset, cues, base, points }
+}
+
+/// Whether the first of two cues, by their numbers, comes before the other: 1 is of no event, and before all.
+fn is_before(cues: &[Cue], a: usize, b: usize) -> bool {
+    let cue = |number: usize| number.checked_sub(2).and_then(|index| cues.get(index));
+    match (cue(a), cue(b)) {
+        (Some(a), Some(b)) => a.order(b).is_lt(),
+        (a, b) => a.is_none() && b.is_some(),
+    }
 }
 
 /// What was drawn of a panel with its labels at their places; `earlier` are those of earlier panels, `before`

@@ -10,7 +10,6 @@ use crate::drawing::{Contour, Group, Item, Offset, Path, Point, Rect, Role, Show
 use crate::geometry::DVec2;
 use crate::scene::{Detail, Panel};
 
-use super::cue::Cue;
 use super::frame::Frame;
 use super::placement::Labelled;
 use super::sketch::{Anchor, Cover, Label, Obstacle, Rank, Request, Sketch, Sketched, Weight};
@@ -204,15 +203,9 @@ impl Inset {
         [ground, frame].map(Item::Path)
     }
 
-    /// Makes what the inset holds come no earlier than itself, and stay no longer: what came before comes with
-    /// it. `cues` are those for which the numbers stand.
-    pub(crate) fn comes(&self, item: &mut Item, cues: &[Cue]) {
-        let cue = |number: usize| number.checked_sub(2).and_then(|index| cues.get(index));
-        // What no event brings was there before all that one does.
-        let is_before = |a: usize, b: usize| match (cue(a), cue(b)) {
-            (Some(a), Some(b)) => a.order(b).is_lt(),
-            (a, b) => a.is_none() && b.is_some(),
-        };
+    /// Makes what the inset holds come no earlier than itself, and stay no longer: what came before comes
+    /// with it. `is_before` says of two numbers of cues which comes first.
+    pub(crate) fn comes(&self, item: &mut Item, is_before: &dyn Fn(usize, usize) -> bool) {
         item.for_each_shown(&|shown| {
             if is_before(shown.since, self.shown.since) {
                 shown.since = self.shown.since;
