@@ -36,6 +36,9 @@ const READABLE: [f64; 2] = [24.0, 48.0];
 /// What is said of the nearest edge where it comes to be when B is pushed out.
 pub(super) const PUSHED: &str = "pushed to $O$";
 
+/// How far from the foot its normal stands, in parts of the way to the farther end of the edge.
+const ASIDE: f64 = 0.4;
+
 pub(super) const LAYER: Layer = Layer {
     name: "polytope",
     about: "one step of EPA: the polytope, its nearest edge, the vertex beyond it",
@@ -188,7 +191,8 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
         sketch.label(label.rank(Rank::Word).size(Size::Note));
         sketch.part("push").arrow(foot, DVec2::ZERO, blue);
     } else {
-        sketch.part("distance").bar(DVec2::ZERO, foot, 0.0, blue);
+        // O at one end, the right angle at the other: ticks would lie on both.
+        sketch.part("distance").line(DVec2::ZERO, foot, blue);
     }
     sketch.detail(&[DVec2::ZERO, foot]);
     let beside = Anchor::middle(DVec2::ZERO, foot);
@@ -203,9 +207,12 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
     };
     sketch.label(Label::new("d", d, beside, Role::Translation));
     let [least, most] = READABLE.map(|px| sketch.px(px));
-    let tip = foot + step.normal * 1.0_f64.max(least).min(most);
-    sketch.part("direction").arrow(foot, tip, Pen::vector(Role::Ink));
-    sketch.label(Label::new("n", "$n_e$", Anchor::tip(foot, tip), Role::Ink));
+    // Beside the foot, where it would go on the line from O.
+    let far = step.edge.into_iter().max_by(|p, q| p.distance(foot).total_cmp(&q.distance(foot)));
+    let from = foot.lerp(far.unwrap_or(foot), ASIDE);
+    let tip = from + step.normal * 1.0_f64.max(least).min(most);
+    sketch.part("direction").arrow(from, tip, Pen::vector(Role::Ink));
+    sketch.label(Label::new("n", "$n_e$", Anchor::tip(from, tip), Role::Ink));
     if let Some(w) = step.beyond {
         supporting_line(sketch, (step.normal, foot), w);
         sketch.part("next").marker(w, Marker::HollowDiamond, role, MARKER);

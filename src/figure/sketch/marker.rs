@@ -19,8 +19,8 @@ const OPEN: f64 = 1.45;
 const RING: f64 = 1.75;
 /// Radius of the dot in that ring, in radii of a usual disc: at 1 the ring closes at a third of the size.
 const ORIGIN_DOT: f64 = 0.8;
-/// Half the opening of that ring where an arrow ends in it, radians: its head and a gap.
-const OPENING: f64 = 0.5;
+/// Half the opening of that ring where an arrow ends in it, radians: as wide as its head is there.
+const OPENING: f64 = 0.34;
 /// Radius of the dot there, in radii of a usual disc: the head's point is as wide.
 const YIELDING_DOT: f64 = 0.45;
 /// A closed outline that reaches less than this in any direction has no form to be seen, page pixels: half
