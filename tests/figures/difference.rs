@@ -85,7 +85,7 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
 #[test]
 fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green() {
     let f = figure("demo-obb");
-    let world = look(&f, 0, [-3.8, -3.35, 3.8, 4.65]);
+    let world = look(&f, 0, [-3.5, -2.35, 3.1, 3.55]);
     // Vertices of A and B, whose x axes are (24, 7)/25.
     let turned = |x: f64, y: f64| (0.96 * x - 0.28 * y, 0.28 * x + 0.96 * y);
     let outline = [(-2.5, -1.25), (2.5, -1.25), (2.5, 1.25), (-2.5, 1.25)].map(|(x, y)| turned(x, y));
@@ -102,7 +102,7 @@ fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green
         world.marker(A, a_2) && world.text_near("$a_2$", a_2, 40.0),
         world.marker(A, a_3) && world.text_near("$a_3$", a_3, 40.0),
     ];
-    let conf = look(&f, 1, [-5.05, -2.55, 5.15, 5.45]);
+    let conf = look(&f, 1, [-4.95, -3.26, 5.25, 5.86]);
     let edges = [
         ((-3.6, -1.0), B),
         ((-0.6, -1.0), A),
@@ -117,7 +117,7 @@ fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green
     shows![
         conf.marker(Ink, (0.0, 0.0)),
         conf.arrow_toward(Translation, turned(0.0, -1.0), (0.0, 0.0)),
-        conf.marker(Now, turned(-0.6, -1.0)),
+        conf.marker(Difference, turned(-0.6, -1.0)),
         conf.emphasised(A, turned(-0.6, -1.0), turned(4.4, -1.0)),
         f.texts.iter().filter(|(t, _)| t == "$d = 1$").count() == 2,
         f.says(r"$B \ominus A$") && f.says("$O$"),
@@ -131,37 +131,37 @@ fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green
 #[test]
 fn demo_polygons_shows_the_way_out_to_the_nearest_edge() {
     let f = figure("demo-polygons");
-    let world = look(&f, 0, [-4.6, -5.5, 7.7, 5.7]);
-    // B's edge on the line 4x + 3y = -0.5 goes to A's vertex (2, 0.5), along (4, 3)/5 by 2.
+    let world = look(&f, 0, [-4.0, -4.8, 8.3, 6.4]);
+    // B's edge on the line 4x + 3y = -0.5 goes to A's vertex (2.4, 0.8), along (4, 3)/5 by 2.5.
     shows![
-        world.polygon(A, &[(2.0, 0.5), (-1.5, 0.0), (-3.0, -1.5), (-1.0, -4.0)]).is_some(),
+        world.polygon(A, &[(2.4, 0.8), (-2.0, 1.25), (-3.25, -1.5), (-0.25, -3.5)]).is_some(),
         world.polygon(B, &[(-1.25, 1.5), (1.75, -2.5), (4.5, 3.0)]).is_some(),
-        world.polygon(B, &[(0.35, 2.7), (3.35, -1.3), (6.1, 4.2)]).is_some_and(|p| p.fill.is_none()),
-        world.arrow(Translation, (0.4, -0.7), (2.0, 0.5)),
+        world.polygon(B, &[(0.75, 3.0), (3.75, -1.0), (6.5, 4.5)]).is_some_and(|p| p.fill.is_none()),
+        world.arrow(Translation, (0.4, -0.7), (2.4, 0.8)),
         f.says("$B$ pushed out"),
     ];
-    let conf = look(&f, 1, [-4.05, -3.6, 8.25, 7.6]);
+    let conf = look(&f, 1, [-4.1, -4.2, 8.2, 7.0]);
     edges_wear_their_source(
         &conf,
         &[
-            ((-0.25, -3.0), A),
-            ((3.25, -2.5), A),
-            ((4.75, -1.0), B),
-            ((7.5, 4.5), A),
-            ((5.5, 7.0), B),
-            ((-0.25, 5.5), A),
-            ((-3.25, 1.0), B),
+            ((-0.65, -3.3), A),
+            ((3.75, -3.75), B),
+            ((6.5, 1.75), A),
+            ((7.75, 4.5), A),
+            ((4.75, 6.5), B),
+            ((-1.0, 5.0), A),
+            ((-3.65, 0.7), B),
         ],
     );
-    // The next way out is square to the edge from (-0.25, -3) to (3.25, -2.5), on the line x - 7y = 20.75.
-    let foot = (20.75 / 50.0, -7.0 * 20.75 / 50.0);
+    // The next way out is square to the edge from (-0.65, -3.3) to (3.75, -3.75), 3.349008 away.
+    let foot = (-0.340_734_824, -3.331_629_393);
     shows![
         conf.marker(Ink, (0.0, 0.0)),
-        conf.arrow_toward(Translation, (-1.6, -1.2), (0.0, 0.0)),
-        f.texts.iter().filter(|(t, _)| t == "$d = 2$").count() == 2,
+        conf.arrow_toward(Translation, (-2.0, -1.5), (0.0, 0.0)),
+        f.texts.iter().filter(|(t, _)| t == "$d = 2.5$").count() == 2,
         f.says(r"$B \ominus A$") && f.says("$O$"),
         conf.line(Muted, (0.0, 0.0), foot).is_some(),
-        f.says("$2.93$, longer"),
+        f.says("$3.35$, longer"),
     ];
 }
 

@@ -161,27 +161,28 @@ const CIRCLES: [[f64; 4]; 2] = [[-3.45, -7.4, 9.45, 4.4], [-3.45, -7.4, 12.185, 
 #[test]
 fn box_box_lays_out_half_extents_gaps_and_centre_distance_axis_by_axis() {
     let f = figure("box-box");
-    let w = look(&f, 0, [-6.55, -5.05, 13.15, 3.3]);
+    let w = look(&f, 0, [-6.55, -5.5, 12.5, 3.8]);
     shows![
-        w.polygon(A, &[(-6.25, -3.0), (-0.25, -3.0), (-0.25, 1.0), (-6.25, 1.0)]).is_some(),
-        w.polygon(B, &[(1.75, 0.0), (6.75, 0.0), (6.75, 3.0), (1.75, 3.0)]).is_some(),
-        w.marker(A, (-3.25, -1.0)),
-        w.marker(B, (4.25, 1.5)),
+        w.polygon(A, &[(-6.25, -0.5), (-0.25, -0.5), (-0.25, 3.5), (-6.25, 3.5)]).is_some(),
+        w.polygon(B, &[(1.75, -3.5), (6.75, -3.5), (6.75, 0.5), (1.75, 0.5)]).is_some(),
+        w.marker(A, (-3.25, 1.5)),
+        w.marker(B, (4.25, -1.5)),
         w.horizontal(A, -3.25, -0.25),
         w.horizontal(Now, -0.25, 1.75),
         w.horizontal(B, 1.75, 4.25),
         w.horizontal(Ink, -3.25, 4.25),
-        w.vertical(A, -1.0, 1.0),
-        w.vertical(B, 0.0, 1.5),
-        w.vertical(Muted, 0.0, 1.0),
-        w.vertical(Ink, -1.0, 1.5),
+        w.vertical(A, -0.5, 1.5),
+        w.vertical(B, -1.5, 0.5),
+        w.vertical(Ink, -1.5, 1.5),
         f.says("$h_{A,x} = 3$") && f.says("$h_{B,x} = 2.5$"),
-        f.says("$h_{A,y} = 2$") && f.says("$h_{B,y} = 1.5$"),
+        f.says("$h_{A,y} = 2$") && f.says("$h_{B,y} = 2$"),
         f.says("$D_x = 2$") && f.says("$D_y = -1$"),
-        f.says("$|c_B - c_A|_x = 7.5$") && f.says("$|c_B - c_A|_y = 2.5$"),
+        f.says("$|c_B - c_A|_x = 7.5$") && f.says("$|c_B - c_A|_y = 3$"),
         f.says("$c_A$") && f.says("$c_B$"),
         // Lit from A's edge to B's, up to the top.
-        w.strip(Now, (-0.25, 3.0), (1.75, 3.0)),
+        w.strip(Now, (-0.25, 3.5), (1.75, 3.5)),
+        // What they share of y, across both.
+        w.strip(Muted, (-6.25, -0.5), (-6.25, 0.5)),
     ];
 }
 

@@ -2,9 +2,9 @@
 //! the right (y).
 //!
 //! Where D ≥ 0 one track holds `h_A` | D | `h_B` end to end. Where D < 0 the half-extents overlap: they lie
-//! on two lanes side by side, and the stretch that they share on a third. Either stretch is a strip across
-//! both boxes; but beside an axis with a gap, one that overlaps decides nothing: it is grey, and its strip
-//! only beside them. The distance of the centres is the last.
+//! on two lanes side by side. Either stretch is a strip across both boxes, which beyond the second lane
+//! holds the letter of a D < 0; beside an axis with a gap, one that overlaps decides nothing, and its strip
+//! is grey. The distance of the centres is the last.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
@@ -29,8 +29,8 @@ const LANE: f64 = 26.0;
 const LIT: f64 = 0.13;
 
 /// Where the distance of the centres is measured to the right, as a part of the way to the first track:
-/// beyond the label of the third lane where the half-extents overlap, else beyond theirs.
-const LAST: [f64; 2] = [5.6, 4.6];
+/// beyond the label of D where the half-extents overlap, else beyond theirs.
+const LAST: [f64; 2] = [5.0, 4.6];
 
 pub(super) const LAYER: Layer = Layer {
     name: "axis-gaps",
@@ -83,8 +83,10 @@ struct Bar {
     ends: [f64; 2],
     /// How far from the boxes it lies, as a part of the way to the first track.
     track: f64,
-    /// How it is drawn.
-    pen: Pen,
+    /// How it is drawn; nothing for a D < 0, whose strip lies between the half-extents.
+    pen: Option<Pen>,
+    /// The colour of its label.
+    role: Role,
     /// Where the label stands.
     beside: Beside,
 }
@@ -100,6 +102,8 @@ enum Beside {
     First,
     /// Beyond the bar's last end.
     Last,
+    /// On the side away from the boxes, beside this part alone.
+    Part([f64; 2]),
 }
 
 /// Where the tracks of an axis lie in the world.
@@ -178,7 +182,7 @@ fn axis(
     let part = format!("axis-{}", e.name);
     let is_lit = e.gap != 0.0;
     if is_lit {
-        strip(sketch, (facing, e.role), place, across);
+        strip(sketch, (&e, facing), place, across);
     }
     let guide = Pen::extension().opacity(GUIDE);
     // The edges that face each other are those of the strip, if there is one.
@@ -198,8 +202,9 @@ fn axis(
     }
     for bar in bars {
         let [p, q] = bar.ends.map(|end| place.point(end, bar.track));
-        let role = bar.pen.role;
-        sketch.part(&part).bar(p, q, 0.0, bar.pen);
+        if let Some(pen) = bar.pen {
+            sketch.part(&part).bar(p, q, 0.0, pen);
+        }
         // A part of its own, as a label beyond a bar's end must not lie on the bar.
         sketch.part("label");
         let out = place.point(0.0, 1.0) - place.point(0.0, 0.0);
@@ -208,8 +213,12 @@ fn axis(
             Beside::Outward => beside(p, q, out),
             Beside::First => Anchor::point_toward(p, p - q),
             Beside::Last => Anchor::point_toward(q, q - p),
+            Beside::Part(ends) => {
+                let [p, q] = ends.map(|end| place.point(end, bar.track));
+                beside(p, q, out)
+            }
         };
-        sketch.label(Label::new(bar.key, bar.text, anchor, role));
+        sketch.label(Label::new(bar.key, bar.text, anchor, bar.role));
     }
 }
 
@@ -221,23 +230,30 @@ fn beside_body([from, to]: [f64; 2], body: Option<[f64; 2]>) -> Vec<[f64; 2]> {
     [[from, far.min(to)], [edge.max(from), to]].into_iter().filter(|[from, to]| from < to).collect()
 }
 
-/// Draws the strip between the edges that face each other, from the tracks to the far edge of the boxes.
-fn strip(sketch: &mut Sketch, (facing, role): ([f64; 2], Role), place: &Place, across: [[f64; 2]; 2]) {
+/// Draws the strip between the edges that face each other, from the tracks to the far edge of the boxes: to
+/// the letter of D, if there is no track for it.
+fn strip(sketch: &mut Sketch, (e, facing): (&Extents, [f64; 2]), place: &Place, across: [[f64; 2]; 2]) {
     let far = across.map(|[center, edge]| place.track(2.0 * center - edge));
-    let (near, far) = if role == Role::Muted {
-        // Beside the boxes alone, from their edge to the track of what they share.
-        (1.0 + 2.0 * LANE / sketch.on_page(place.step.abs()), 0.0)
-    } else {
-        (1.0, far[0].min(far[1]))
-    };
+    let far = far[0].min(far[1]);
+    let near = if e.gap < 0.0 { shared(e.name) } else { 1.0 };
     let ends = [(facing[0], near), (facing[1], near), (facing[1], far), (facing[0], far)];
     let strip = Outline::polygon(&ends.map(|(along, track)| place.point(along, track)));
-    sketch.part("lit").weight(Weight::Light).area(&strip, Some(Wash::faint(role, LIT)), None);
+    sketch.part("lit").weight(Weight::Light).area(&strip, Some(Wash::faint(e.role, LIT)), None);
+}
+
+/// The track of the second lane, as a part of the way to the first.
+fn second(axis: char) -> f64 {
+    1.0 + LANE / if axis == 'x' { BELOW } else { BESIDE }
+}
+
+/// The track where the strip of a D < 0 ends, as a part of the way to the first.
+fn shared(axis: char) -> f64 {
+    if axis == 'x' { second(axis) + 1.0 } else { LAST[0] }
 }
 
 /// `h_A`, D, `h_B` and the distance of the centres along one axis, each with its track.
 fn bars(context: &Context, options: &Options, e: Extents) -> Vec<Bar> {
-    use Beside::{First, Inward, Last, Outward};
+    use Beside::{First, Inward, Last, Outward, Part};
     let forward = if e.centers[0] <= e.centers[1] { 1.0 } else { -1.0 };
     let [a, b] = e.centers;
     let facing = [a + forward * e.half[0], b - forward * e.half[1]];
@@ -253,20 +269,23 @@ fn bars(context: &Context, options: &Options, e: Extents) -> Vec<Bar> {
     let symbols = [h, format!("D_{name}"), k, format!("|{d} - {c}|_{name}")];
     let lengths = [e.half[0], e.gap, e.half[1], (b - a).abs()];
     let ends = [[a, facing[0]], facing, [facing[1], b], [a, b]];
-    let axis = usize::from(name == 'y');
-    let lane = LANE / [BELOW, BESIDE][axis];
-    let (second, third) = (1.0 + lane, 1.0 + 2.0 * lane);
+    let second = second(name);
+    // Beside the stretch that they share stands D, so each half-extent is named beside the rest of it.
+    let own = [Part([a, facing[1]]), Part([facing[0], b])];
     let (tracks, places) = match (e.gap < 0.0, name) {
-        (true, 'x') => ([1.0, third, second, third + 1.0], [First, Outward, Last, Outward]),
-        (true, _) => ([1.0, third, second, LAST[0]], [First, Outward, Last, Outward]),
+        (true, 'x') => ([1.0, second, second, second + 1.0], [First, Outward, Last, Outward]),
+        (true, _) => ([1.0, second, second, LAST[0]], [own[0], Outward, own[1], Outward]),
         (false, 'x') => ([1.0, 1.0, 1.0, 2.0], [Inward, Inward, Inward, Outward]),
         (false, _) => ([1.0, 1.0, 1.0, LAST[1]], [Outward; 4]),
     };
-    let pens = [half[0], Pen::highlighted(e.role), half[1], Pen::dimension(Role::Ink)];
+    let between = (e.gap >= 0.0).then(|| Pen::highlighted(e.role));
+    let pens = [Some(half[0]), between, Some(half[1]), Some(Pen::dimension(Role::Ink))];
+    let roles = [half[0].role, e.role, half[1].role, Role::Ink];
     let rounding = context.scene.query_at(context.time).rounding();
     let bar = |i: usize| {
         let text = format!("${} {}$", symbols[i], Quantity::exactly(lengths[i]).equals(rounding));
-        Bar { key: keys[i], text, ends: ends[i], track: tracks[i], pen: pens[i], beside: places[i] }
+        let (pen, role, beside) = (pens[i], roles[i], places[i]);
+        Bar { key: keys[i], text, ends: ends[i], track: tracks[i], pen, role, beside }
     };
     (0..keys.len()).map(bar).collect()
 }
@@ -304,23 +323,19 @@ mod tests {
             whole.filter(|p| p.len() == 2 && (p[1] - p[0]).length() > 9.0).map(|p| [p[0], p[1]]).collect()
         };
         let level: Vec<[Point; 2]> = bars("axis-x").into_iter().filter(|[p, q]| p.y == q.y).collect();
-        // Both half-extents and what they share on lanes of their own, then the distance of the centres.
+        // Both half-extents on lanes of their own, then the distance of the centres.
         let lanes: Vec<f64> = level.iter().map(|[p, _]| (p.y - level[0][0].y) / LANE).collect();
-        assert!(
-            level.len() == 4 && (lanes[1] - 2.0).abs() < 1e-9 && (lanes[2] - 1.0).abs() < 1e-9,
-            "{lanes:?}"
-        );
-        // From 1.5 to 2 of x they share.
+        assert!(level.len() == 3 && (lanes[1] - 1.0).abs() < 1e-9 && lanes[2] > 2.0, "{lanes:?}");
         let frame = &figure.panels[0].frame;
-        let [from, to] = [1.5, 2.0].map(|x| frame.page(DVec2::new(x, 0.0)).x);
-        let [p, q] = level[1].map(|p| p.x);
-        assert!((p.min(q) - from).abs() < 1e-6 && (p.max(q) - to).abs() < 1e-6, "{level:?}");
         // Along y they are apart: from A's top, 1, to B's bottom, 2, over the width of both. What they share
-        // of x decides nothing: its strip begins under them, at -1.
+        // of x decides nothing, and its strip is over both all the same.
         let strips = paths(&figure.drawing.items, "lit");
         assert_eq!(strips.len(), 2);
-        let below = frame.page(DVec2::new(0.0, -1.0)).y;
-        assert!(points(strips[0]).iter().all(|p| p.y > below - 1e-6), "{:?}", points(strips[0]));
+        let shared = points(strips[0]);
+        // From 1.5 to 2 of x they share.
+        for place in [[1.5, 6.0], [2.0, 6.0]].map(|p| frame.page(DVec2::from(p))) {
+            assert!(shared.iter().any(|p| (*p - place).length() < 1e-6), "{place:?}: {shared:?}");
+        }
         let strip = points(strips[1]);
         for place in [[-2.0, 1.0], [-2.0, 2.0]].map(|p| frame.page(DVec2::from(p))) {
             assert!(strip.iter().any(|p| (*p - place).length() < 1e-6), "{place:?}: {strip:?}");

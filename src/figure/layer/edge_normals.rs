@@ -48,8 +48,7 @@ pub(super) const LAYER: Layer = Layer {
     labels: &[
         LabelKey {
             key: "n",
-            about: "the normal nᵢ that looks most against the ray, with signs one that does; without a ray, \
-                the first",
+            about: "the nᵢ that look against the ray, with signs one of them; without a ray, the first",
         },
         LabelKey { key: "away", about: "the normal that looks most along the ray, with signs" },
         LabelKey { key: "along", about: "the ray's direction beside the normal against it, with signs" },
@@ -92,15 +91,16 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         all().filter(|one| kind(angle(one))).min_by(|e, f| off(wanted)(e).total_cmp(&off(wanted)(f)))
     };
     // Against the ray one is shown to be so; along it, the one that is most.
-    let against = if signs { nearest(AGAINST, |angle| angle > FRAC_PI_2) } else { nearest(PI, |_| true) };
-    if let Some((edge, &(from, tip))) = against.or(found.edges.first().zip(arrows.first())) {
-        sketch.since(cues.of(edge));
-        let text = if signs { r"$n_i \cdot v < 0$" } else { "$n_i$" };
-        let label = Label::new("n", text, Anchor::tip(from, tip), role);
-        sketch.label(label.rank(Rank::Measure).size(Size::Point));
-        if signs {
-            along(sketch, (from, tip), v);
-        }
+    if let Some((edge, &(from, tip))) = nearest(AGAINST, |angle| angle > FRAC_PI_2).filter(|_| signs) {
+        let label = Label::new("n", r"$n_i \cdot v < 0$", Anchor::tip(from, tip), role);
+        sketch.since(cues.of(edge)).label(label.rank(Rank::Measure).size(Size::Point));
+        along(sketch, (from, tip), v);
+    }
+    let first = all().take(usize::from(v == DVec2::ZERO));
+    let against = all().filter(|one| v != DVec2::ZERO && angle(one) > FRAC_PI_2);
+    for (edge, &(from, tip)) in first.chain(against).filter(|_| !signs) {
+        let label = Label::new("n", "$n_i$", Anchor::tip(from, tip), role);
+        sketch.since(cues.of(edge)).label(label.rank(Rank::Measure).size(Size::Point));
     }
     if let Some((edge, &(from, tip))) = nearest(0.0, |angle| angle < FRAC_PI_2).filter(|_| signs) {
         sketch.since(cues.of(edge));

@@ -153,7 +153,7 @@ fn missed(sketch: &mut Sketch, context: &Context, from: DVec2, v: DVec2) {
         sketch.part("meets").marker(meets, Marker::HollowDisc, Role::Ink, MARKER);
         if !named.contains(&time) {
             named.push(time);
-            let text = format!("$t = {}$", number(time));
+            let text = format!("its line: $t = {}$", number(time));
             let label = Label::new("met", text, Anchor::point(meets), Role::Ink);
             sketch.label(label.rank(Rank::Word).size(Size::Note));
         }
