@@ -194,12 +194,12 @@ fn figure_8_shows_the_arc_of_the_extreme_point_and_its_sector() {
 #[test]
 fn frames_continuous_tests_the_whole_way_and_stops_a_where_it_touches() {
     let f = figure("frames-continuous");
-    let view = [-5.55, -2.35, 5.13, 2.45];
+    let view = [-5.55, -2.12, 5.13, 2.12];
     let b = super::overlap::WALL;
     let one = look(&f, 0, view);
-    let (start, end) = ((-4.2125, 1.1), (3.7875, -0.9));
-    // The band's edges are 1 from the way, square to (8, -2): by (1, 4)/√17.
-    let (x, y) = (1.0 / 17.0_f64.sqrt(), 4.0 / 17.0_f64.sqrt());
+    let (start, end) = ((-4.2125, 0.8), (3.7875, -0.2));
+    // The band's edges are 1 from the way, square to (8, -1): by (1, 8)/√65.
+    let (x, y) = (1.0 / 65.0_f64.sqrt(), 8.0 / 65.0_f64.sqrt());
     // After 0.3 of the way the centre (-1.8125, 0.5) is 1 from the line 24x + 7y = -15, at (-0.8525, 0.78).
     let (hit, contact) = ((-1.8125, 0.5), (-0.8525, 0.78));
     shows![
@@ -209,14 +209,13 @@ fn frames_continuous_tests_the_whole_way_and_stops_a_where_it_touches() {
         one.circle(A, end, 1.0).is_some_and(dashed),
         one.any_line((start.0 + x, start.1 + y), (end.0 + x, end.1 + y)),
         one.any_line((start.0 - x, start.1 - y), (end.0 - x, end.1 - y)),
-        one.along(A, start, end),
         one.marker(Ink, contact),
         f.says("$A$ at $t = 0$") && one.text_near("$t = 0.3$", hit, 40.0),
         one.text_near("$t = 1$", end, 40.0),
-        // The way's head is at its end, where A would be.
-        one.head(A, end),
+        // The way that is gone ends where A stops.
+        one.along(Now, start, hit) && one.head(Now, hit),
     ];
-    let two = look(&f, 1, [-5.52, -2.35, 1.441, 2.45]);
+    let two = look(&f, 1, [-5.52, -2.12, 1.441, 2.12]);
     shows![
         two.circle(A, hit, 1.0).is_some_and(|p| p.fill.is_some()),
         two.circle(A, start, 1.0).is_some_and(dashed),

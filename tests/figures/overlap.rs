@@ -237,19 +237,19 @@ fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
     }
 }
 
-/// The vertices of the wall B of both frames: ±0.6 along (24, 7)/25, ±1.9 along (-7, 24)/25.
-pub(crate) const WALL: [(f64, f64); 4] = [(-0.044, -1.992), (1.108, -1.656), (0.044, 1.992), (-1.108, 1.656)];
+/// The vertices of the wall B of both frames: ±0.6 along (24, 7)/25, ±1.7 along (-7, 24)/25.
+pub(crate) const WALL: [(f64, f64); 4] = [(-0.1, -1.8), (1.052, -1.464), (0.1, 1.8), (-1.052, 1.464)];
 
 #[test]
 fn frames_discrete_finds_the_overlap_late_and_with_a_longer_step_never() {
     let f = figure("frames-discrete");
-    let late = look(&f, 0, [-5.52, -2.4, 1.441, 2.5]);
-    let never = look(&f, 1, [-5.55, -2.4, 5.13, 2.5]);
+    let late = look(&f, 0, [-5.52, -2.12, 1.441, 2.12]);
+    let never = look(&f, 1, [-5.55, -2.12, 5.13, 2.12]);
     let solid = |panel: &super::seen::Look, at| panel.circle(A, at, 1.0).is_some_and(|p| p.fill.is_some());
     let dotted = |panel: &super::seen::Look, at| panel.circle(A, at, 1.0).is_some_and(|p| p.fill.is_none());
     // The wall's long edges lie on 24x + 7y = ±15. Along (24, 7)/25, the rim of A touches the one at t = 0.3,
-    // is 1.424 beyond it at 0.5, and has left the other 1.784 behind at 1.
-    let (start, middle, end) = ((-4.2125, 1.1), (-0.2125, 0.1), (3.7875, -0.9));
+    // is 1.48 beyond it at 0.5, and has left the other 1.98 behind at 1.
+    let (start, middle, end) = ((-4.2125, 0.8), (-0.2125, 0.3), (3.7875, -0.2));
     shows![
         late.polygon(B, &WALL).is_some() && never.polygon(B, &WALL).is_some(),
         // Frames that are tested are solid, moments that are not are dotted.

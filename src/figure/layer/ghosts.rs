@@ -78,6 +78,12 @@ pub(super) const LAYER: Layer = Layer {
         },
         OptionSpec { name: "fill", takes: Takes::Flag, default: "false", about: "a faint fill" },
         OptionSpec {
+            name: "faint",
+            takes: Takes::Flag,
+            default: "false",
+            about: "half as dark: beside the point",
+        },
+        OptionSpec {
             name: "solid",
             takes: Takes::Flag,
             default: "false",
@@ -261,7 +267,8 @@ fn look(options: &Options, role: Role) -> (Option<Wash>, Pen) {
         (Some(Wash::theme(role)), Pen::outline(role))
     } else {
         // What only might be is fainter than what is.
-        let opacity = if options.word("at", When::HIT) == RIVAL { SERIES[0] } else { 1.0 };
+        let is_faint = options.flag("faint", options.word("at", When::HIT) == RIVAL);
+        let opacity = if is_faint { SERIES[0] } else { 1.0 };
         (options.flag("fill", false).then(|| Wash::faint(role, FAINT)), Pen::ghost(role).opacity(opacity))
     }
 }
