@@ -2,11 +2,13 @@
 //! apart; where they overlap the minimum translation of B, −s n, which takes B ⊖ A along until that point is
 //! at the origin. At a step of a sweep, where the estimate moves and not the difference, from the estimate.
 
+use std::f64::consts::PI;
+
 use crate::collision::Separation;
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::difference::{Difference, Edge};
-use crate::figure::sketch::{Anchor, Label, Pen, Rank, Size, Sketch, Weight};
+use crate::figure::sketch::{Anchor, Label, Pen, Rank, Size, Sketch, Weight, angle_of};
 use crate::figure::text::{asked_distance, distance_or_depth, number};
 use crate::geometry::{DVec2, Side};
 use crate::trace::Event;
@@ -14,6 +16,9 @@ use crate::trace::Event;
 use super::difference::difference;
 use super::polytope::PUSHED;
 use super::{Fed, LabelKey, Layer, ONE_OF_SEVERAL, OptionSpec, Options, Shows, Takes, Tells};
+
+/// Radius of the arc of the half turn, page pixels: clear of the origin's ring.
+const TURN: f64 = 26.0;
 
 /// The least length that can be told from none, page pixels: half the width of an outline.
 const UNSEEN: f64 = 1.0;
@@ -54,6 +59,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "rival", about: "length of the next longer way out" },
         LabelKey { key: "pushed", about: "the nearest edge when B is pushed out" },
         LabelKey { key: "turned", about: "the first body turned half round, with turned" },
+        LabelKey { key: "half-turn", about: "the half turn about O, with turned" },
     ],
     needs: "two convex bodies",
     fed: |context, _| Fed::by_the_scene(nearest(context).is_some()),
@@ -112,7 +118,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let to = from + foot;
     right_angle(sketch, context, from, foot);
     if options.flag("turned", false) {
-        half_turned(sketch, context);
+        half_turned(sketch, context, foot);
     }
     sketch.part("closest");
     if overlap {
@@ -139,8 +145,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     });
 }
 
-/// Draws A as it lies in B ⊖ A where that is the grown A turned half round about B's origin: x is at b − x.
-fn half_turned(sketch: &mut Sketch, context: &Context) {
+/// Draws A as it lies in B ⊖ A where that is the grown A turned half round about B's origin: x is at b − x;
+/// and about O, where b is then, the half turn of the way to the nearest point.
+fn half_turned(sketch: &mut Sketch, context: &Context, foot: DVec2) {
     let (Some(b), Some(outline)) =
         (context.pose(Side::B, context.time), context.outline(Side::A, context.time))
     else {
@@ -150,6 +157,12 @@ fn half_turned(sketch: &mut Sketch, context: &Context) {
     sketch.part("turned").weight(Weight::Light).area(&turned, None, Some(Pen::ghost(Role::A)));
     let text = format!("{} turned", context.name(Side::A));
     let label = Label::new("turned", text, Anchor::inside(&turned), Role::A);
+    sketch.label(label.rank(Rank::Word).size(Size::Note));
+    let (radius, start) = (sketch.px(TURN), angle_of(-foot));
+    sketch.part("half-turn").weight(Weight::Light);
+    sketch.arc_arrow(DVec2::ZERO, radius, start, PI, Pen::dimension(Role::Ink));
+    let arc = Anchor::Arc { center: DVec2::ZERO, radius, start, sweep: PI };
+    let label = Label::new("half-turn", "half a turn", arc, Role::Ink);
     sketch.label(label.rank(Rank::Word).size(Size::Note));
 }
 

@@ -17,10 +17,10 @@ use super::difference::{difference, draw_edge};
 use super::edge_cues::EdgeCues;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
-/// Opacity of the copies of B that touch A, first of the one that is named, and how many there are at most:
-/// one alone does not say that it may be anywhere around A, and three are a net.
-const COPY: [f64; 2] = [0.8, 0.5];
-const COPIES: usize = 2;
+/// Opacity of the copy of B that touches A, and how many there are at most: one tells where b is then, and
+/// readers took two for clutter.
+const COPY: f64 = 0.8;
+const COPIES: usize = 1;
 
 pub(super) const LAYER: Layer = Layer {
     name: "grown",
@@ -38,7 +38,7 @@ pub(super) const LAYER: Layer = Layer {
             name: "around",
             takes: Takes::Flag,
             default: "false",
-            about: "faint copies of B moved around A, where it touches it, with the point in them",
+            about: "a faint copy of B moved around A, where it touches it, with the point in it",
         },
         OptionSpec {
             name: "distance",
@@ -52,8 +52,8 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "grown", about: "the grown A; only where a scene gives it a text" },
         LabelKey { key: "b", about: "the point that B shrinks to" },
         LabelKey { key: "copy", about: "what the dotted copies are" },
-        LabelKey { key: "b'", about: "the point in a copy, with around" },
-        LabelKey { key: "d_b", about: "distance or depth of the point, with distance" },
+        LabelKey { key: "b'", about: "the point in the copy, with around" },
+        LabelKey { key: "d", about: "distance or depth of the point, with distance" },
     ],
     needs: "two convex bodies",
     fed: |context, _| Fed::by_the_scene(difference(context, context.time).is_some()),
@@ -185,9 +185,8 @@ fn around(
     // Those that are far from B itself and from each other, and no more than leave A to be seen.
     let places = spread(&places, b);
     sketch.part("copies").weight(Weight::Light);
-    for (k, &place) in places.iter().enumerate() {
-        let pen = Pen::ghost(Role::B).opacity(COPY[k.min(1)]);
-        sketch.area(&outline_b.moved(place - b), None, Some(pen));
+    for &place in &places {
+        sketch.area(&outline_b.moved(place - b), None, Some(Pen::ghost(Role::B).opacity(COPY)));
     }
     if let Some(&last) = places.first() {
         let text = format!("{} moved around {}", context.name(Side::B), context.name(Side::A));
@@ -230,9 +229,7 @@ fn distance(sketch: &mut Sketch, context: &Context, found: &Difference, b: DVec2
     } else {
         sketch.dimension(b, to, 0.0, Pen::dimension(role).width(1.5));
     }
-    let end = letter_of_b(context).map(|b| format!("to {b}"));
-    let lines = std::iter::once(text).chain(end).collect();
-    sketch.label(Label { lines, ..Label::new("d_b", "", Anchor::middle(b, to), role) });
+    sketch.label(Label::new("d", text, Anchor::middle(b, to), role));
 }
 
 /// The letter of the point that B shrinks to, its origin: the small one of a name that is a letter.

@@ -206,13 +206,7 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
         None => format!("$d{left} {}$", Quantity::exactly(step.distance).equals(rounding)),
     };
     sketch.label(Label::new("d", d, beside, Role::Translation));
-    let [least, most] = READABLE.map(|px| sketch.px(px));
-    // Beside the foot, where it would go on the line from O.
-    let far = step.edge.into_iter().max_by(|p, q| p.distance(foot).total_cmp(&q.distance(foot)));
-    let from = foot.lerp(far.unwrap_or(foot), ASIDE);
-    let tip = from + step.normal * 1.0_f64.max(least).min(most);
-    sketch.part("direction").arrow(from, tip, Pen::vector(Role::Ink));
-    sketch.label(Label::new("n", "$n_e$", Anchor::tip(from, tip), Role::Ink));
+    outward(sketch, step, foot);
     if let Some(w) = step.beyond {
         supporting_line(sketch, (step.normal, foot), w);
         sketch.part("next").marker(w, Marker::HollowDiamond, role, MARKER);
@@ -224,6 +218,17 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
         let stop = Label::new("stop", words, beside, role);
         sketch.label(stop.rank(Rank::Word).size(Size::Note));
     }
+}
+
+/// Draws the outward normal of the nearest edge, along which it looks for a vertex.
+fn outward(sketch: &mut Sketch, step: &Step, foot: DVec2) {
+    let [least, most] = READABLE.map(|px| sketch.px(px));
+    // Beside the foot, where it would go on the line from O.
+    let far = step.edge.into_iter().max_by(|p, q| p.distance(foot).total_cmp(&q.distance(foot)));
+    let from = foot.lerp(far.unwrap_or(foot), ASIDE);
+    let tip = from + step.normal * 1.0_f64.max(least).min(most);
+    sketch.part("direction").arrow(from, tip, Pen::vector(Role::Ink));
+    sketch.label(Label::new("n", "$n_e$", Anchor::tip(from, tip), Role::Ink));
 }
 
 /// Draws the line through w square to the normal, past w and past the normal's line.
