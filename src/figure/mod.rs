@@ -4,6 +4,7 @@
 //! scene's places what is wrong; [`draw`] runs the algorithms, once for each moment that a panel needs, lets
 //! each layer draw what they told, and places the labels. No figure has code of its own.
 
+mod again;
 mod asked_theme;
 mod askers;
 mod bands;

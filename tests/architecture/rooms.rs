@@ -186,6 +186,7 @@ pub(crate) const ROOMS: &[Row] = &[
     ),
     ("figure/moving_frame", &["geometry", "collision"]),
     ("figure/touching", &["geometry", "collision"]),
+    ("figure/again", &["geometry", "collision", "scene"]),
     (
         "figure/context",
         &[
@@ -233,6 +234,7 @@ pub(crate) const ROOMS: &[Row] = &[
             "collision",
             "scene",
             "drawing",
+            "figure/again",
             "figure/context",
             "figure/cue",
             "figure/difference",
@@ -251,6 +253,7 @@ pub(crate) const ROOMS: &[Row] = &[
             "trace",
             "collision",
             "scene",
+            "figure/again",
             "figure/called",
             "figure/difference",
             "figure/question",

@@ -197,6 +197,11 @@ phrases! {
         "; am nächsten sind sie sich bei t = *, mit Abstand *",
         " ; ils sont au plus près à t = *, à une distance de *",
         "; están más cerca en t = *, a una distancia de *";
+    /// The closest approach, as near as which they come again: one moment of them, how far apart.
+    CLOSEST_AGAIN: "; they come closest more than once, as at t = *, * apart",
+        "; am nächsten sind sie sich mehrmals, so bei t = *, mit Abstand *",
+        " ; ils sont au plus près plus d’une fois, comme à t = *, à une distance de *",
+        "; están más cerca más de una vez, como en t = *, a una distancia de *";
     /// Closest for a while: from when to when, how far apart.
     CLOSEST_WHILE: "; they are closest from t = * to t = *, * apart",
         "; am nächsten sind sie sich von t = * bis t = *, mit Abstand *",

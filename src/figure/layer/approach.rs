@@ -4,13 +4,14 @@
 //! origin's place on the ray to the nearest point of B ⊖ A.
 
 use crate::drawing::Role;
+use crate::figure::again::{Nearest, nearest};
 use crate::figure::context::{Approach, Context};
 use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, MARKER, Marker, Pen, Sketch};
 use crate::figure::text::{Quantity, number};
 use crate::geometry::{DVec2, Side};
 use crate::scene::{Space, When};
 
-use super::{Fed, LabelKey, Layer, Options, Shows, Tells, ghosts};
+use super::{Fed, LabelKey, Layer, ONE_OF_SEVERAL, Options, Shows, Tells, ghosts};
 
 /// Why a panel of configuration space has no closest approach, where a body turns.
 const ANOTHER_DIFFERENCE: &str = "the bodies turn, and B ⊖ A is another one at their closest";
@@ -76,14 +77,17 @@ fn on_the_ray(sketch: &mut Sketch, context: &Context, options: &Options, closest
     sketch.label(label((context, closest), Anchor::middle(from, to), role));
 }
 
-/// The least distance, and when it is; bodies that move as one have it at all times.
+/// The least distance, and when it is, or one of the moments; bodies that move as one have it at all times.
 fn label((context, closest): (&Context, &Approach), anchor: Anchor, role: Role) -> Label {
     let rounding = context.scene.query_at(closest.time).rounding();
     let d = Quantity::exactly(closest.separation).equals(rounding);
     let mut lines = vec![format!("$d {d}$")];
-    if context.turns() || context.closing_velocity() != DVec2::ZERO {
+    let often = nearest(context.scene, closest.time, closest.bounds.hi);
+    let is_moving = context.turns() || context.closing_velocity() != DVec2::ZERO;
+    if is_moving && often != Nearest::Always {
         lines.push(format!("$t = {}$", number(closest.time)));
     }
+    lines.extend((often == Nearest::Again).then(|| ONE_OF_SEVERAL.to_owned()));
     Label { lines, ..Label::new("d", "", anchor, role) }
 }
 

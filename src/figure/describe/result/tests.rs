@@ -218,6 +218,21 @@ fn a_motion_that_ends_while_the_bodies_come_nearer_is_said_to_end() {
 }
 
 #[test]
+fn a_body_that_turns_and_comes_as_near_again_is_said_to() {
+    let turning = |b: &str| {
+        said(&format!(
+            "shapes.a = {{ kind = 'circle', radius = 1 }}
+            shapes.b = {{ position = [0, 2.7], {b} }}
+            query = {{ kind = 'time-of-impact', of = ['a', 'b'] }}"
+        ))
+    };
+    let again = turning("kind = 'box', half_extents = [1.4, 0.5], angular_velocity_deg = 360");
+    assert!(again.contains("; they come closest more than once, as at t = 0."), "{again}");
+    let disc = turning("kind = 'circle', radius = 1, angular_velocity_deg = 90");
+    assert_eq!(disc, "a and b do not touch; they stay 0.7 apart.");
+}
+
+#[test]
 fn bodies_that_go_alike_stay_as_they_are() {
     let text = "shapes.a = { kind = 'circle', radius = 1, velocity = [1, 2] }
         shapes.b = { kind = 'circle', radius = 1, position = [4, 3], velocity = [1, 2] }
