@@ -298,10 +298,8 @@ fn search(
     let (begin, end) = (foot + side * (lo - past), foot + side * (hi + past));
     sketch.part("supporting-line").weight(Weight::Light).line(begin, end, Pen::construction());
     let near = sketch.on_page(foot.length()) < CLEAR;
+    // One is enough: where v ends on an edge, that is parallel to this line.
     sketch.part("right-angle").right_angle(foot, -side * past, if near { u } else { -u } * past);
-    if next.is_some() && vertices.len() == 2 {
-        sketch.part("right-angle").right_angle(v, -side * past, -u * past);
-    }
     if values && next.is_some() && w.dot(u) > 0.0 {
         least(sketch, foot, side);
     }
