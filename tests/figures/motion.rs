@@ -125,7 +125,7 @@ fn figure_7_adds_up_the_fastest_approach_and_shows_what_is_left_at_the_bound() {
     shows![
         // From A's edge to B's vertex; both velocities.
         moving.along(Translation, (-1.2, 0.3), (2.0, 0.3)),
-        moving.arrow(Ink, at_a, (-0.2, 1.0)) && moving.arrow(Ink, at_b, (2.0, -1.0)),
+        moving.arrow(A, at_a, (-0.2, 1.0)) && moving.arrow(B, at_b, (2.0, -1.0)),
         // The farthest vertices, 3 and 2.5 out, and the way that either turns.
         turning.line(A, at_a, (-4.0, -1.9)).is_some() && turning.line(B, at_b, (6.0, -1.5)).is_some(),
         turning.round(at_a, 0.6) && turning.round(at_b, 0.6),
