@@ -163,11 +163,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
                 pushed(sketch, context, options, (side, way, [or, "pushed out"]));
             }
             RIVAL => pushed(sketch, context, options, (side, rival(context), [or, "pushed farther"])),
-            NOW => {
-                let Some(outline) = context.outline(side, context.time) else { continue };
-                ghost(sketch, options, side, &outline, vec![context.named(side).primed(0)]);
-                center(sketch, context, options, (side, context.time));
-            }
+            NOW => now(sketch, context, options, side),
             STEPS => steps(sketch, context, options, side),
             _ => moment(sketch, context, options, side),
         }
@@ -197,6 +193,25 @@ fn pushed(
         return;
     }
     ghost(sketch, options, side, &outline.moved(if side == Side::A { -way } else { way }), vec![text]);
+}
+
+/// Draws a body where it is: as a ghost if it is pushed from there, and else as a body.
+fn now(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) {
+    let Some(outline) = context.outline(side, context.time) else { return };
+    let lines = vec![context.named(side).primed(0)];
+    if separation(context).is_some_and(|answer| push(&answer).is_some()) {
+        ghost(sketch, options, side, &outline, lines);
+        return center(sketch, context, options, (side, context.time));
+    }
+    let role = options.role(side.into());
+    sketch.part(part("body", side)).area(&outline, Some(Wash::theme(role)), Some(Pen::outline(role)));
+    let label = Label { lines, ..Label::new(key(side), "", Anchor::inside(&outline), role) };
+    sketch.label(label.rank(Rank::Name).size(Size::Name));
+}
+
+/// The key of a ghost's label.
+fn key(side: Side) -> &'static str {
+    if side == Side::A { "A'" } else { "B'" }
 }
 
 /// Draws a body at another moment, if it is elsewhere then.
@@ -289,9 +304,8 @@ pub(super) fn ghost(
 
 /// The label of a body at another moment, or in the words that the scene has for it.
 fn label(options: &Options, side: Side, outline: &Outline, lines: Vec<String>) -> Label {
-    let key = if side == Side::A { "A'" } else { "B'" };
     let anchor = Anchor::inside(outline);
-    let label = Label { lines, ..Label::new(key, "", anchor, options.role(side.into())) };
+    let label = Label { lines, ..Label::new(key(side), "", anchor, options.role(side.into())) };
     let label = label.rank(Rank::Name).size(Size::Note);
     if let Some(text) = options.words("text") { label.given(text) } else { label }
 }

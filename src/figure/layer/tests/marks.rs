@@ -74,16 +74,6 @@ fn a_ghost_says_when_it_is_and_the_way_there_leads_on() {
 }
 
 #[test]
-fn a_faint_ghost_is_half_as_dark() {
-    let opacity = |options: &str| {
-        let layers = format!("'shapes', {{ layer = 'ghosts', at = 'hit'{options} }}");
-        let figure = figure("", "linear-sweep", &layers);
-        paths(&figure.drawing.items, "ghost-A")[0].stroke.as_ref().unwrap().paint.opacity
-    };
-    assert_eq!(opacity(", faint = true"), 0.5 * opacity(""));
-}
-
-#[test]
 fn a_solid_ghost_is_drawn_as_a_body_is_and_a_body_may_say_when_it_is_there() {
     let layers = "{ layer = 'shapes', text = 'at $t = 0$' }, { layer = 'ghosts', of = 'A', solid = true }";
     let hit = figure("", "linear-sweep", layers);

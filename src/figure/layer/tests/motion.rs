@@ -134,3 +134,31 @@ fn the_joint_of_two_parts_is_the_difference_of_the_vertices_that_are_named() {
         }
     }
 }
+
+#[test]
+fn a_faint_ghost_is_half_as_dark() {
+    let opacity = |options: &str| {
+        let figure = discs(&format!("'shapes', {{ layer = 'ghosts'{options} }}"));
+        paths(&figure.drawing.items, "ghost-A")[0].stroke.as_ref().unwrap().paint.opacity
+    };
+    assert_eq!(opacity(", faint = true"), 0.5 * opacity(""));
+}
+
+#[test]
+fn what_a_body_is_pushed_from_is_dotted_and_a_body_that_needs_no_push_is_there() {
+    let drawn = |x: f64| {
+        let figure = figure(&format!(
+            "shapes.A = {{ kind = 'circle', radius = 1 }}
+             shapes.B = {{ kind = 'circle', radius = 1, position = [{x}, 0] }}
+             query = {{ kind = 'separation', of = ['A', 'B'] }}
+             panels = [{{ layers = [{{ layer = 'ghosts', of = 'B', at = 'now' }}] }}]"
+        ));
+        let are_filled = |part| {
+            let paths = paths(&figure.drawing.items, part);
+            paths.iter().map(|path| path.fill.is_some()).collect::<Vec<_>>()
+        };
+        ["ghost-B", "body-B"].map(are_filled)
+    };
+    assert_eq!(drawn(1.5), [vec![false], vec![]]);
+    assert_eq!(drawn(3.0), [vec![], vec![true]]);
+}
