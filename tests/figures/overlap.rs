@@ -27,7 +27,7 @@ fn figure_1_shows_the_depth_the_normal_and_b_pushed_out() {
         // Halfway from the contact to the edge's far end.
         w.arrow(Ink, (2.225, 2.7), (3.025, 3.3)),
         // No edge of A is nearer to that vertex than 2, so that the disc lies within A.
-        w.circle(Translation, (1.6, 0.2), 2.0).is_some_and(|disc| disc.fill.is_some()),
+        w.circle(Translation, (1.6, 0.2), 2.0).is_some_and(|disc| disc.fill.is_none()),
         f.says("$d = 2$"),
         f.says("$n$"),
         f.says(r"$B$ pushed out by $d\,n$"),
@@ -105,12 +105,12 @@ fn figure_3_shows_v_its_clamped_components_and_the_distance() {
         w.any_line((3.0, 0.0), (3.0, 2.0)),
         w.any_line((0.0, 2.0), (3.0, 2.0)),
         w.text_near("$B_c$", closest, 40.0),
-        f.says("$V$") && f.says("$V = (3, 2)$") && f.says("$V_x = 3$") && f.says("$V_y = 2$"),
+        f.says("$V = (3, 2)$") && f.says("$V_x = 3$") && f.says("$V_y = 2$"),
         f.says("cut to $h_x$") && f.says("cut to $h_y$"),
         f.says("$h_x = 2.5$") && f.says("$h_y = 0.8$"),
         f.says("$D$"),
         f.says("$r = 0.8$"),
-        f.says("$0.5$") && f.says(r"{translation|distance $= \|D\| - r = 1.3 - 0.8 = 0.5$}"),
+        f.says("$0.5$"),
     ];
     // The part of D, (0.5, 1.2), that the circle leaves, 1.3 - 0.8, is thick; the radius goes another way.
     let rim = (2.5 + 0.25 / 1.3, 0.8 + 0.6 / 1.3);
@@ -134,7 +134,7 @@ fn circle_circle_shows_centres_radii_and_the_shortfall() {
         one.horizontal(B, 1.0, 5.0),
         f.says(r"$\|A - B\| = 5$"),
         f.says("$r_1 = 3$") && f.says("$r_2 = 4$"),
-        one.line(Translation, (1.0, 0.0), (3.0, 0.0)).is_some() && f.says("$2$"),
+        one.line(Translation, (1.0, 0.0), (3.0, 0.0)).is_some() && f.says("$|p| = 2$"),
     ];
     let two = look(&f, 1, CIRCLES[1]);
     shows![
