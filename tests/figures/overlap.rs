@@ -255,8 +255,9 @@ fn frames_discrete_finds_the_overlap_late_and_with_a_longer_step_never() {
         // Frames that are tested are solid, moments that are not are dotted.
         solid(&late, start) && solid(&late, middle),
         late.head(A, middle) && never.head(A, end),
-        // The way begins in a dot.
+        // The way begins in a dot; so does the touch that no test saw, at A's point nearest to B's line.
         late.marker(A, start) && never.marker(A, start),
+        never.marker(Ink, (-0.8525, 0.78)) && never.text_near("$p$", (-0.8525, 0.78), 40.0),
         solid(&never, start) && solid(&never, end) && dotted(&never, (-1.8125, 0.5)),
         f.texts.iter().filter(|(t, _)| t == "$A$ at $t = 0$").count() == 2,
         f.says("$A$ at $t = 0.5$") && f.says("$A$ at $t = 1$"),
