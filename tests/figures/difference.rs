@@ -85,7 +85,7 @@ fn figure_4_shrinks_b_to_a_point_while_a_grows_and_keeps_their_distance() {
 #[test]
 fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green() {
     let f = figure("demo-obb");
-    let world = look(&f, 0, [-3.5, -2.35, 3.1, 3.55]);
+    let world = look(&f, 0, [-3.65, -2.83, 3.15, 5.07]);
     // Vertices of A and B, whose x axes are (24, 7)/25.
     let turned = |x: f64, y: f64| (0.96 * x - 0.28 * y, 0.28 * x + 0.96 * y);
     let outline = [(-2.5, -1.25), (2.5, -1.25), (2.5, 1.25), (-2.5, 1.25)].map(|(x, y)| turned(x, y));
@@ -102,7 +102,7 @@ fn demo_obb_shows_two_supporting_vertices_and_edges_that_are_part_red_part_green
         world.marker(A, a_2) && world.text_near("$a_2$", a_2, 40.0),
         world.marker(A, a_3) && world.text_near("$a_3$", a_3, 40.0),
     ];
-    let conf = look(&f, 1, [-4.95, -3.26, 5.25, 5.86]);
+    let conf = look(&f, 1, [-4.95, -2.55, 5.25, 5.35]);
     let edges = [
         ((-3.6, -1.0), B),
         ((-0.6, -1.0), A),
