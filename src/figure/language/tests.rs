@@ -15,7 +15,7 @@ fn a_label_has_the_words_of_its_language_and_the_formula_of_all() {
         ("en-GB", "at $t = 0.5$", "at $t = 0.5$"),
         ("de", "at $t = 0.5$", "bei $t = 0.5$"),
         ("fr-CH", "$A$ at $t = 0.5$", "$A$ à $t = 0.5$"),
-        ("es", "crate pushed out", "crate apartado"),
+        ("es", "crate pushed out", "crate tras el empuje"),
         ("zh", "at $t = 0.5$", "$t = 0.5$"),
         ("zh", "depth $d = 2$", "$d = 2$"),
         ("zh", "crate pushed out", "crate"),

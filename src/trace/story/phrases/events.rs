@@ -89,23 +89,23 @@ phrases! {
     /// The best edge so far of those that the origin is inside of: distance, place, edge, body.
     LEAST_PENETRATING: "Least penetrating so far: * at *, by * of *.",
         "Bisher am wenigsten eingedrungen: * bei *, durch * von *.",
-        "Moindre pénétration jusqu’ici : * en *, par * de *.",
-        "Menor penetración hasta ahora: * en *, por * de *.";
+        "Moindre pénétration jusqu’ici : * en * (* de *).",
+        "Menor penetración hasta ahora: * en * (* de *).";
     /// The best one so far of those that it is outside of.
     LEAST_POSITIVE: "Least positive so far: * at *, by * of *.",
         "Bisher der kleinste positive Wert: * bei *, durch * von *.",
-        "Plus petite valeur positive jusqu’ici : * en *, par * de *.",
-        "Menor valor positivo hasta ahora: * en *, por * de *.";
+        "Plus petite valeur positive jusqu’ici : * en * (* de *).",
+        "Menor valor positivo hasta ahora: * en * (* de *).";
     /// What the axes say of bodies that are apart: distance, edge or vertex, body.
     LARGEST_GAP: "The largest gap is the distance: *, by * of *.",
         "Die größte Lücke ist der Abstand: *, durch * von *.",
-        "Le plus grand écart est la distance : *, par * de *.",
-        "El mayor hueco es la distancia: *, por * de *.";
+        "Le plus grand écart est la distance : * (* de *).",
+        "El mayor hueco es la distancia: * (* de *).";
     /// What they say of bodies that overlap.
     LEAST_OVERLAP: "The least overlap is the depth: *, by * of *.",
         "Die kleinste Überlappung ist die Tiefe: *, durch * von *.",
-        "Le plus petit recouvrement est la profondeur : *, par * de *.",
-        "El menor solape es la profundidad: *, por * de *.";
+        "Le plus petit recouvrement est la profondeur : * (* de *).",
+        "El menor solape es la profundidad: * (* de *).";
     /// Both bodies along an axis: the axis, whose normal of which body, a body and its interval, the other
     /// one and its, and what lies between.
     AXIS: "Along *, the normal of * of *: * spans *, * spans *, *.",
