@@ -87,9 +87,9 @@ fn figure_6_steps_from_the_estimate_to_the_tangent_and_starts_again_there() {
         two.head(B, (4.979_260 + 0.483_318, 0.528_471 + 0.875_445)),
         one.through((3.0, 2.25), (4.6875, 0.0)),
         two.through((4.979_260, 0.528_471), (5.936_490, 0.0)),
-        one.text_near("new estimate, $t = 0.625$", (4.6875, 0.0), 100.0)
+        one.text_near("$t = 0.625$", (4.6875, 0.0), 60.0)
             && two.text_near("$t = 0.625$", (4.6875, 0.0), 60.0),
-        two.text_near("new estimate, $t = 0.792$", (5.936_490, 0.0), 100.0),
+        two.text_near("$t = 0.792$", (5.936_490, 0.0), 60.0),
         f.says("closest point") && f.says("tangent"),
         f.says("$n = (0.8, 0.6)$") && f.says("$n = (0.483, 0.875)$"),
         f.says("$d = 3.75$") && f.says("$d = 0.604$"),

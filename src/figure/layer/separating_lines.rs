@@ -105,13 +105,28 @@ fn crossing([p, q]: &[Touching; 2]) -> DVec2 {
     p.at[0] + part * u
 }
 
+/// How far a point is from the outline of a body, in world units; 0 where there is none.
+fn way_to(context: &Context, side: Side, from: DVec2) -> f64 {
+    let Some(points) = context.outline(side, context.time).map(|outline| outline.sampled()) else {
+        return 0.0;
+    };
+    let ends = points.iter().zip(points.iter().cycle().skip(1));
+    let ways = ends.map(|(&p, &q)| {
+        let along = q - p;
+        let share = ((from - p).dot(along) / along.length_squared()).clamp(0.0, 1.0);
+        // A point has no direction, and no share of it.
+        let share = if share.is_finite() { share } else { 0.0 };
+        from.distance(p + share * along)
+    });
+    ways.reduce(f64::min).unwrap_or(0.0)
+}
+
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(found) = cone(context) else { return };
     let Some(lines) = lines(context, &found) else { return };
     sketch.since(context.separation_at(context.time).map(|run| run.end()));
     let origin = crossing(&lines);
-    let nearest = support(context, Side::B, -found.normal).unwrap_or(origin);
-    let radius = fitting_radius(sketch, found.normal.dot(nearest - origin));
+    let radius = fitting_radius(sketch, way_to(context, Side::B, origin));
     let [line, cone] = PARTS.map(|part| options.shows("show", part, true));
     if line && !cone {
         between(sketch, context, origin, found.normal);
@@ -179,7 +194,7 @@ fn touching(
     sketch.part("touching").marker(a, Marker::Disc, Role::A, MARKER);
     sketch.part("touching").marker(b, Marker::Square, Role::B, MARKER);
     if let Some(key) = name {
-        sketch.label(Label::new(key, format!("${key}$"), Anchor::tip(origin, beyond), TURNED));
+        sketch.label(Label::new(key, format!("${key}$"), Anchor::middle(origin, b), TURNED));
     }
 }
 
