@@ -16,6 +16,7 @@ mod cue;
 pub mod default_picture;
 mod describe;
 mod difference;
+mod distances;
 mod draw;
 mod drawn_panel;
 mod empty_view;

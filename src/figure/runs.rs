@@ -17,6 +17,7 @@ use crate::trace::{Event, MOST_EVENTS, Trace, step};
 
 use super::called::Called;
 use super::cue::{Cue, Teller};
+use super::distances::Distances;
 use super::limits::{MAX_RUNS, within};
 use super::question::is_of_a_moment;
 
@@ -214,12 +215,14 @@ pub(crate) struct Runs {
     is_blind: bool,
     /// What the figure calls the bodies.
     pub(crate) called: Called,
+    /// How far its bodies are apart over time.
+    pub(crate) distances: Distances,
 }
 
 impl Runs {
     /// No runs yet, of a figure of this scene that calls the bodies so.
     pub(crate) fn of(scene: &Scene, called: Called) -> Self {
-        Self { done: Mutex::default(), is_blind: scene.variant == Variant::Question, called }
+        Self { is_blind: scene.variant == Variant::Question, called, ..Self::default() }
     }
 
     /// The scene's own question at a moment (which matters only to bounds, overlap and separation).

@@ -1,7 +1,6 @@
 //! A chart over time that fills its panel, with scales of its own: what `graph.rs` and `fastest_approach.rs`
 //! stand on.
 
-use crate::collision::Pair;
 use crate::drawing::Role;
 use crate::figure::context::{Context, whole_turns};
 use crate::figure::sketch::{Anchor, Label, Pen, Size, Sketch, Weight};
@@ -149,6 +148,6 @@ pub(super) fn separations(context: &Context, until: f64, more: &[f64]) -> Vec<DV
     let mut times: Vec<f64> = even.chain(more).collect();
     sort_by(&mut times, f64::total_cmp);
     times.dedup();
-    let at = |time| DVec2::new(time, Pair::at(query.a, b, time).separation().separation);
+    let at = |time| DVec2::new(time, context.runs.distances.at(query.a, b, time).separation);
     times.into_iter().map(at).collect()
 }

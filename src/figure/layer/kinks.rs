@@ -1,7 +1,7 @@
 //! When another vertex becomes the one that is nearest to the other body: the separation over time has a kink
 //! there, where the bodies have edges that are parallel.
 
-use crate::collision::{Pair, Separation};
+use crate::collision::Separation;
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, Marker, Rank, SMALL_MARKER, Size, Sketch, Weight};
@@ -63,7 +63,7 @@ pub(super) fn kept(context: &Context, points: &[DVec2]) -> Vec<DVec2> {
 fn turns(context: &Context, points: &[DVec2]) -> Vec<(DVec2, f64)> {
     let query = context.scene.query_of_bodies();
     let Some(b) = query.b else { return Vec::new() };
-    let at = |time: f64| Pair::at(query.a, b, time).separation();
+    let at = |time: f64| context.runs.distances.at(query.a, b, time);
     let mut last: Option<(f64, (Side, usize))> = None;
     let mut found = Vec::new();
     for point in points {

@@ -29,6 +29,14 @@ const FEWEST: usize = 2;
 /// Decimal exponents within which a number is written without a power of ten.
 const PLAIN: std::ops::RangeInclusive<i32> = -3..=5;
 
+/// Sizes of numbers of which a few steps tell whether they have many digits.
+const SIZES_SEEN: std::ops::Range<f64> = 1e-9..1e9;
+/// The powers of ten among them.
+const POWERS: [f64; 18] =
+    [1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 1.0, 10.0, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8];
+/// How many of them are at most 1.
+const POWERS_TO_ONE: usize = 10;
+
 /// How many digits of a number are written at most.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Digits {
@@ -66,6 +74,9 @@ impl Digits {
             Self::Significant(most) => (most.min(MOST), 1),
             Self::Decimals(most) => (most.min(decimals_within(lo.abs().max(hi.abs()))), 0),
         };
+        if lo.to_bits() == hi.to_bits() && least <= most {
+            return self.written(lo, most);
+        }
         for digits in (least..=most).rev() {
             let (p, q) = (self.written(lo, digits), self.written(hi, digits));
             if p == q {
@@ -78,7 +89,7 @@ impl Digits {
 
     /// All digits of a number that has few, where nobody asks for fewer or more.
     fn whole(self, lo: f64, hi: f64) -> Option<String> {
-        if self != Self::Usual {
+        if self != Self::Usual || has_many_digits(lo) {
             return None;
         }
         let all = significant(lo, WHOLE);
@@ -86,7 +97,8 @@ impl Digits {
         if read(&all).is_some_and(|all| (lo - all).abs() > UNIT_TOLD * lo.abs()) {
             return None;
         }
-        [lo, hi].iter().all(|&end| significant(end, TOLD) == all).then_some(all)
+        let is_all = |end: f64| significant(end, TOLD) == all;
+        (is_all(lo) && (lo.to_bits() == hi.to_bits() || is_all(hi))).then_some(all)
     }
 
     /// A number that is not less than the one given: of an upper bound.
@@ -139,8 +151,30 @@ impl Digits {
 
 /// The decimal exponent of a double; 0 of 0.
 fn exponent(value: f64) -> i32 {
+    if SIZES_SEEN.contains(&value.abs()) {
+        // A double below that nearest to a power of ten is written with digits below it.
+        let reached = POWERS.iter().filter(|&&power| value.abs() >= power).count();
+        return exponent_of(reached) - exponent_of(POWERS_TO_ONE);
+    }
     let scientific = format!("{value:e}");
     scientific.split_once('e').and_then(|(_, exponent)| exponent.parse().ok()).unwrap_or(0)
+}
+
+/// Whether a number has surely more than [`WHOLE`] digits, as most have, seen without writing any: so far from
+/// so many that rounding here, some 1e-15 of it, decides nothing. A frame of a drag asks for some hundred.
+fn has_many_digits(value: f64) -> bool {
+    let mut scaled = value.abs();
+    if !SIZES_SEEN.contains(&scaled) {
+        return false;
+    }
+    // From 10⁴ to 10⁵ the digits before the point are WHOLE.
+    while scaled < 1e4 {
+        scaled *= 10.0;
+    }
+    while scaled >= 1e5 {
+        scaled /= 10.0;
+    }
+    (scaled - scaled.round()).abs() > 2.0 * UNIT_TOLD * scaled
 }
 
 /// Digits in all of a number where nobody asks: three, or all before the point of one that is written without
@@ -218,6 +252,34 @@ mod tests {
             ["", ".", "3", ".g", ".0g", ".3f", ".-1", ".+1", " .3", ".3 ", ".x", ".99999999999999999999"]
         {
             assert_eq!(Digits::asked(wrong), None, "{wrong:?}");
+        }
+    }
+
+    #[test]
+    fn the_exponent_of_a_double_is_that_with_which_it_is_written() {
+        let written = |value: f64| format!("{value:e}").split_once('e').map(|(_, e)| e.parse().unwrap());
+        for power in POWERS {
+            for value in [power.next_down(), power, power.next_up(), 3.7 * power, -power] {
+                assert_eq!(Some(exponent(value)), written(value), "{value:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_number_that_seems_to_have_many_digits_has_them() {
+        let mut random = oorandom::Rand64::new(5);
+        for _ in 0..20_000 {
+            let size = power_of_ten(f64::from(i8::try_from(random.rand_range(0..20)).unwrap()) - 10.0);
+            let few = (random.rand_float() * 1e5).round() * size;
+            let off = [0.0, 0.5e-9, 1e-9, 1.5e-9, 3e-9][usize::try_from(random.rand_range(0..5)).unwrap()];
+            let value = few * (1.0 + off);
+            let written = read(&significant(value, WHOLE)).unwrap();
+            let has_more = (value - written).abs() > UNIT_TOLD * value.abs();
+            assert!(has_more || !has_many_digits(value), "{value}");
+            assert!(
+                off < 2.5e-9 || few == 0.0 || !SIZES_SEEN.contains(&value) || has_many_digits(value),
+                "{value}"
+            );
         }
     }
 
