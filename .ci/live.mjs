@@ -4,8 +4,8 @@
 // The pages are drawn into a folder and opened as files. Each shows the committed SVG byte for byte and draws the same;
 // asks for nothing and breaks no policy; says while dragged, by a pointer and by keys, what `tracefig solve` says of the
 // scene that it copies; shows the same where its address is opened again; is again what it was after a reset; and axe
-// finds nothing. Frame times are printed: on the clock, and the processor time of scripts, in which what else the
-// machine does is not.
+// finds nothing. Edges are those of `edges.mjs`. Frame times are printed: on the clock, and the processor time of
+// scripts, in which what else the machine does is not.
 // `TRACEFIG=path` is the binary; names of figures may follow.
 
 import { execFileSync } from "node:child_process";
@@ -14,6 +14,7 @@ import { gzipSync } from "node:zlib";
 import { basename, dirname, join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { launched, require, root, wordsNotFound } from "./chromium.mjs";
+import { edges } from "./edges.mjs";
 
 const figures = join(root, "figures");
 // Scenes that leave their panels to us, and say what no figure does.
@@ -247,6 +248,15 @@ for (const [file, about] of [[join(site, "index.html"), "index"], [join(site, `$
     if (wide > 360) fail(about, `is ${wide} pixels wide on a screen of 360`);
     await phone.close();
 }
+
+// Two on one page, a voice, a handle that goes far away, columns on a phone.
+const two = asked.length > 1 ? stems.slice(0, 2) : ["circle-circle", "gjk-steps"];
+const complete = two.map((stem) => join(work, `${stem}.html`));
+const sceneOf = (stem) => join(folderOf(stem), `${stem}.toml`);
+for (const [i, stem] of two.entries()) run(["render", sceneOf(stem), "--live", "-o", complete[i]]);
+const inColumns = (stem) => readFileSync(sceneOf(stem), "utf8").includes("columns = ");
+const columns = stems.filter(inColumns);
+if (asked.length !== 1) await edges({ browser, site, work, fail, stems: two, columns, alone: complete });
 
 await browser.close();
 for (const failure of failures) console.error(`FAILED ${failure}`);

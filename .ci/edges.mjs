@@ -1,0 +1,194 @@
+// What live figures do at their edges: two on one page, what a voice says of a drag, a handle that is dragged away, and
+// a page as narrow as a phone. `live.mjs` opens the browser and runs this.
+
+import { readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+
+const SAID = 600; // Milliseconds until a page has said the result: it waits for 400 of rest.
+const AWAY = 1e6; // Page pixels, and units of the world, from where no figure is seen.
+const PHONE = 380; // CSS pixels.
+
+const frame = (page) => page.evaluate(() => new Promise(requestAnimationFrame));
+const isLive = () =>
+    [...document.querySelectorAll(".tracefig-live")].every(({ dataset }) => dataset.drawn !== undefined);
+
+// What a reader has of the figures of a page: the picture, what is said, whether that was changed.
+const state = (page) => page.$$eval(".tracefig-live", (all) => all.map((root) => {
+    const picture = root.querySelector("figure > svg:not(.knobs)").cloneNode(true);
+    for (const body of picture.querySelectorAll("[data-held]")) delete body.dataset.held;
+    return {
+        live: root.dataset.live,
+        picture: picture.outerHTML,
+        said: root.querySelector(".say").textContent,
+        why: root.querySelector(".why").textContent,
+        changed: root.hasAttribute("data-changed"),
+        values: Array.from(root.querySelectorAll(".numbers input"), (field) => field.value).join(),
+    };
+}));
+
+async function opened(browser, file, fail, about, options = {}) {
+    const page = await browser.newPage({ viewport: { width: 1100, height: 900 }, ...options });
+    page.on("console", (message) => fail(about, message.text()));
+    page.on("pageerror", (error) => fail(about, error.stack));
+    await page.goto(pathToFileURL(file).href);
+    await page.waitForFunction(isLive);
+    return page;
+}
+
+// Takes hold of a handle and goes somewhere in some frames; the mouse stays down.
+async function pull(page, knob, [dx, dy], frames = 8) {
+    await knob.scrollIntoViewIfNeeded();
+    const box = await (await knob.$(".ring")).boundingBox();
+    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+    await page.mouse.move(x, y);
+    await page.mouse.down();
+    for (let i = 1; i <= frames; i++) {
+        await page.mouse.move(x + (dx * i) / frames, y + (dy * i) / frames);
+        await frame(page);
+    }
+}
+
+// A page that has the figure of another one behind its own.
+function together(first, second, file) {
+    const [one, other] = [first, second].map((path) => readFileSync(path, "utf8"));
+    const from = other.indexOf('<div class="tracefig-live"');
+    const root = other.slice(from, other.indexOf("</main>", from));
+    writeFileSync(file, one.replace("</main>", () => `${root}</main>`));
+}
+
+// Two figures: what is done with one leaves the other, and the address of the page, alone.
+async function two(browser, file, fail, about) {
+    const page = await opened(browser, file, fail, about);
+    await page.waitForTimeout(SAID);
+    const before = await state(page);
+    if (before.some(({ live }) => live !== "yes")) fail(about, `is not live: ${before.map(({ live }) => live)}`);
+    const ids = await page.$$eval("[id]", (all) => all.map(({ id }) => id));
+    const twice = ids.filter((id, i) => ids.indexOf(id) < i);
+    if (twice.length > 0) fail(about, `has twice the id ${twice[0]}`);
+    for (const moved of [1, 0]) {
+        const known = await state(page);
+        const knob = await page.locator(".tracefig-live").nth(moved).locator(".knob[role=slider]:not(.gone)").first();
+        await pull(page, await knob.elementHandle(), [24, -16]);
+        await page.mouse.up();
+        await page.waitForTimeout(SAID);
+        const now = await state(page);
+        const other = 1 - moved;
+        if (now[moved].picture === known[moved].picture) fail(about, `figure ${moved + 1} stays as it is when dragged`);
+        for (const key of Object.keys(now[other])) {
+            if (now[other][key] === known[other][key]) continue;
+            fail(about, `a drag of figure ${moved + 1} changes ${key} of the other`);
+        }
+        if (new URL(page.url()).hash.length > 1) fail(about, `its address says ${page.url()}, and not of which figure`);
+    }
+    for (const reset of await page.$$(".reset")) await reset.click();
+    await page.waitForTimeout(SAID);
+    const after = await state(page);
+    for (const [i, { picture }] of after.entries()) {
+        if (picture !== before[i].picture) fail(about, `figure ${i + 1} is another one after a reset`);
+    }
+    await page.close();
+}
+
+// While a handle is held nothing is said; at rest the result is, once.
+async function voice(browser, file, fail, about) {
+    const page = await opened(browser, file, fail, about);
+    await page.waitForTimeout(SAID);
+    await page.evaluate(() => {
+        globalThis.said = [];
+        const say = document.querySelector(".say");
+        new MutationObserver(() => globalThis.said.push(say.textContent)).observe(say, { childList: true });
+        document.addEventListener("tracefig", ({ detail }) => { globalThis.sentence = detail.sentence; });
+    });
+    const region = await page.$eval(".say", (say) => [say.getAttribute("role"), say.getAttribute("aria-live")].join());
+    const isPolite = ["status,", "status,polite", ",polite"].includes(region);
+    if (!isPolite) fail(about, `says results in a region that is ${region}`);
+    await pull(page, await page.$(".knob[role=slider]:not(.gone)"), [30, -20]);
+    const during = await page.evaluate(() => globalThis.said.length);
+    if (during > 0) fail(about, `speaks ${during} times while a handle is held`);
+    await page.mouse.up();
+    await page.waitForTimeout(2 * SAID);
+    const { said, sentence } = await page.evaluate(() => ({ said: globalThis.said, sentence: globalThis.sentence }));
+    if (said.length !== 1 || !said[0].includes(sentence)) fail(about, `says ${JSON.stringify(said)} of "${sentence}"`);
+    await page.close();
+}
+
+// A handle that goes far away stops where it can, by a pointer and by numbers, and the figure lives on.
+async function away(browser, file, fail, about) {
+    const page = await opened(browser, file, fail, about);
+    await page.waitForTimeout(SAID);
+    const [before] = await state(page);
+    await pull(page, await page.$(".knob[role=slider]:not(.gone)"), [AWAY, -AWAY], 4);
+    await page.mouse.up();
+    await page.waitForTimeout(SAID);
+    const check = async (how, asked) => {
+        const [{ picture, said, why, values }] = await state(page);
+        if (/NaN|Infinity/.test(picture)) fail(about, `${how}, draws what is no number`);
+        if (!said) fail(about, `${how}, says nothing`);
+        const stopped = !values.split(",").includes(String(asked));
+        if (asked !== undefined && stopped && !why) fail(about, `${how}, stops at ${values} and does not say why`);
+        if (why && !said.includes(why)) fail(about, `${how}, shows "${why}" and says "${said}"`);
+    };
+    await check("dragged away");
+    await page.click(".numbers-of summary");
+    const field = page.locator(".numbers input").first();
+    for (const far of [AWAY, 1e308]) {
+        if ((await field.count()) === 0) break;
+        await field.fill(String(far));
+        await field.press("Enter");
+        await page.waitForTimeout(SAID);
+        await check(`set to ${far}`, far);
+    }
+    await page.click(".reset");
+    await page.waitForTimeout(SAID);
+    const [after] = await state(page);
+    if (after.picture !== before.picture) fail(about, "is another one after it was away and taken back");
+    await page.close();
+}
+
+// A page as wide as a phone: the columns that a scene asks for are not what it has, and nothing sticks out.
+async function narrow(browser, file, fail, about) {
+    const page = await opened(browser, file, fail, about);
+    await page.waitForTimeout(SAID);
+    const [wide] = await state(page);
+    await page.setViewportSize({ width: PHONE, height: 800 });
+    await page.waitForTimeout(2 * SAID);
+    const { scroll, shown, panels } = await page.evaluate(() => {
+        const svg = document.querySelector("figure > svg:not(.knobs)");
+        // What is drawn beyond a panel is cut off at its edge.
+        const cuts = Array.from(svg.querySelectorAll("clipPath > rect"), ({ x, width }) => [x, width]);
+        const ends = cuts.map(([x, width]) => [x.baseVal.value, x.baseVal.value + width.baseVal.value]);
+        return {
+            scroll: document.documentElement.scrollWidth,
+            shown: svg.getBoundingClientRect().width / svg.viewBox.baseVal.width,
+            panels: ends.map((at) => at.map((end) => end / svg.viewBox.baseVal.width)),
+        };
+    });
+    if (scroll > PHONE) fail(about, `is ${scroll} wide on a page of ${PHONE}`);
+    if (shown < 0.8) fail(about, `shows its letters at ${shown.toFixed(2)} of their size on a page of ${PHONE}`);
+    const beyond = panels.length === 0 || panels.some(([left, right]) => left < 0 || right > 1);
+    if (beyond) fail(about, `has panels beyond a page of ${PHONE}`);
+    await page.setViewportSize({ width: 1100, height: 900 });
+    await page.waitForTimeout(2 * SAID);
+    const [again] = await state(page);
+    if (again.picture !== wide.picture) fail(about, `is another one after it was ${PHONE} wide`);
+    await page.close();
+}
+
+// Looks at the edges of some pages that share the module in `site`; at `alone` are two pages with all they need, and
+// `columns` are pages whose scenes ask for columns.
+export async function edges({ browser, site, work, fail, stems, columns, alone }) {
+    const shared = (stem) => join(site, `${stem}.html`);
+    const [first, second] = stems;
+    const pair = join(site, "two.html");
+    together(shared(first), shared(second), pair);
+    await two(browser, pair, fail, "two that share the module");
+    const complete = join(work, "two-alone.html");
+    together(...alone, complete);
+    await two(browser, complete, fail, "two with all they need");
+    for (const stem of stems) {
+        await voice(browser, shared(stem), fail, `${stem}, heard`);
+        await away(browser, shared(stem), fail, `${stem}, far away`);
+    }
+    for (const stem of columns) await narrow(browser, shared(stem), fail, `${stem}, narrow`);
+}
