@@ -9,7 +9,8 @@
 // - What is alike stands side by side, where it packs better.
 // - The names of source files, and the lines in them where a panic may be, are zeros, and what panics and
 //   lists say.
-// - The tables of `latex-rust` are without what only people read, and colours, which a formula of ours has not.
+// - The tables of `latex-rust` are without what only people read, and without colours, which no
+//   formula of ours has.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import { ofLists } from './lists.mjs';
@@ -33,7 +34,7 @@ const REFUSED = [
     /^_ZN10latex_rust6layout6engine6Engine12cancel_lines/,
     /^_ZN10latex_rust6parser3ast8MathNode4gold/,
 ];
-/** Functions that write what nobody reads: what libraries say of errors, and values as a programmer sees them. */
+/** Functions that write what nobody reads: what libraries say of errors, and values in full. */
 const SILENT = [
     /^_ZN\d+_\$LT\$(latex_rust|serde_json\.\.error|serde_core).*core\.\.fmt\.\.(Display|Debug)\$GT\$3fmt17h/,
     /^_ZN4core5array.*core\.\.fmt\.\.Debug\$.*3fmt17h/,
@@ -98,9 +99,9 @@ const UNREAD = [
 /** Bytes of the longest such run. */
 const LONGEST_RUN = 1000;
 /**
- * The tables of `latex-rust`, which reads them line by line and skips those that are empty: the first line, the
- * first words of the last, and what a row of it is for us. Of a symbol nothing asks for the category and the
- * description; a colour in a formula is an error before a page is made, and 68 of them must be there.
+ * The tables of `latex-rust`, which reads them line by line and skips empty ones: the first line, how the
+ * last begins, and what a row of it is for us. Of a symbol nothing asks for the category and the description; a
+ * colour in a formula is an error before a page is made, and 68 of them must be there.
  */
 const TABLES = [
     {
@@ -108,7 +109,11 @@ const TABLES = [
         last: '\\backepsilon\tBack epsilon',
         row: ([glyph, , kind, latex]) => [glyph, '', kind, latex],
     },
-    { header: 'name\tc\tm\ty\tk\n', last: 'YellowOrange\t0\t0.42\t1\t0', row: () => ['', 0, 0, 0, 0] },
+    {
+        header: 'name\tc\tm\ty\tk\n',
+        last: 'YellowOrange\t0\t0.42\t1\t0',
+        row: () => ['', 0, 0, 0, 0],
+    },
 ];
 /** What a source file is called. */
 const SOURCES = /(?:\/|crates\/)[\w./+-]+\.rs(?=\0)/g;
@@ -186,7 +191,7 @@ function without_notes(bytes) {
         const from = bytes.indexOf(header);
         const to = bytes.indexOf(last, from) + last.length;
         if (from < 0 || to < from + last.length) throw new Error(`no table of ${header}`);
-        const rows = bytes.toString('utf8', from + header.length, to).split('\n').filter((line) => line !== '');
+        const rows = bytes.toString('utf8', from + header.length, to).split('\n').filter(Boolean);
         const short = header + rows.map((line) => row(line.split('\t')).join('\t')).join('\n');
         bytes.fill('\n', from, to);
         bytes.write(short, from);
@@ -280,7 +285,8 @@ function instead(part, results) {
 for (const part of [...PANICS, ...REFUSED, ...SILENT, ROOT]) {
     let count = 0;
     for (let index = 0; index < module.getNumFunctions(); index += 1) {
-        const { name, module: imported, base, results } = binaryen.getFunctionInfo(module.getFunctionByIndex(index));
+        const about = binaryen.getFunctionInfo(module.getFunctionByIndex(index));
+        const { name, module: imported, base, results } = about;
         if (base || imported || !part.test(name)) continue;
         const body = instead(part, results);
         if (body === undefined) continue;

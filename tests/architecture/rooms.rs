@@ -171,6 +171,7 @@ pub(crate) const ROOMS: &[Row] = &[
         ],
     ),
     ("figure/difference", &["geometry", "trace", "figure/sketch"]),
+    ("figure/distances", &["geometry", "collision"]),
     (
         "figure/runs",
         &[
@@ -180,6 +181,7 @@ pub(crate) const ROOMS: &[Row] = &[
             "scene",
             "figure/called",
             "figure/cue",
+            "figure/distances",
             "figure/limits",
             "figure/question",
         ],

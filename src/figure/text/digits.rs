@@ -160,8 +160,9 @@ fn exponent(value: f64) -> i32 {
     scientific.split_once('e').and_then(|(_, exponent)| exponent.parse().ok()).unwrap_or(0)
 }
 
-/// Whether a number has surely more than [`WHOLE`] digits, as most have, seen without writing any: so far from
-/// so many that rounding here, some 1e-15 of it, decides nothing. A frame of a drag asks for some hundred.
+/// Whether a number has surely more than [`WHOLE`] digits, as most have, seen without writing any: so far
+/// from so many that rounding here, some 1e-15 of it, decides nothing. A frame of a drag asks
+/// for some hundred.
 fn has_many_digits(value: f64) -> bool {
     let mut scaled = value.abs();
     if !SIZES_SEEN.contains(&scaled) {
