@@ -100,8 +100,8 @@ const UNREAD = [
 const LONGEST_RUN = 1000;
 /**
  * The tables of `latex-rust`, which reads them line by line and skips empty ones: the first line, how the
- * last begins, and what a row of it is for us. Of a symbol nothing asks for the category and the description; a
- * colour in a formula is an error before a page is made, and 68 of them must be there.
+ * last begins, and what a row of it is for us. Of a symbol nothing asks for the category and the
+ * description; a colour in a formula is an error before a page is made, and 68 of them must be there.
  */
 const TABLES = [
     {
