@@ -9,7 +9,7 @@
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, Outline, Pen, Sketch, Wash, Weight};
-use crate::figure::text::Quantity;
+use crate::figure::text::{Quantity, whole_and_parts};
 use crate::geometry::{DVec2, Side};
 use crate::trace::Event;
 
@@ -282,8 +282,15 @@ fn bars(context: &Context, options: &Options, e: Extents) -> Vec<Bar> {
     let pens = [Some(half[0]), between, Some(half[1]), Some(Pen::dimension(Role::Ink))];
     let roles = [half[0].role, e.role, half[1].role, Role::Ink];
     let rounding = context.scene.query_at(context.time).rounding();
+    // What the half-extents leave of the distance of the centres is D.
+    let texts = whole_and_parts(lengths[3], &[lengths[0], lengths[2]], e.gap);
+    let summed = [texts.get(1), None, texts.get(2), texts.first()];
+    let written = |i: usize| match (summed[i], Quantity::exactly(lengths[i]).equals(rounding)) {
+        (Some(text), equals) if equals.starts_with('=') => format!("= {text}"),
+        (_, equals) => equals,
+    };
     let bar = |i: usize| {
-        let text = format!("${} {}$", symbols[i], Quantity::exactly(lengths[i]).equals(rounding));
+        let text = format!("${} {}$", symbols[i], written(i));
         let (pen, role, beside) = (pens[i], roles[i], places[i]);
         Bar { key: keys[i], text, ends: ends[i], track: tracks[i], pen, role, beside }
     };

@@ -7,7 +7,7 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{
     Anchor, Label, Marker, Outline, Pen, Rank, SMALL_MARKER, Size, Sketch, Wash, Weight, on_circle,
 };
-use crate::figure::text::number;
+use crate::figure::text::{number, whole_and_parts};
 use crate::geometry::{DVec2, Side, perp};
 use crate::trace::Event;
 
@@ -301,15 +301,19 @@ fn tracks(context: &Context, compared: &Compared, touching: bool) -> [Length; 3]
     let bar = |key, text, ends, role: Role, weight| Length { key, text, ends, role, weight };
     let [a, b] = Side::BOTH.map(|side| context.named(side).term());
     let [r, q] = Side::BOTH.map(|side| context.numbered("r", side));
+    // What is left of the distance is p, which the separation's line bears.
+    let rest = if touching { 0.0 } else { answer.separation };
+    let texts = whole_and_parts(apart, &radii, rest);
+    let [whole, first, second] = [0, 1, 2].map(|i| texts.get(i).map_or("", String::as_str));
     [
         bar(
             "centers",
             if touching {
-                format!("${r} + {q} = {}$", number(apart))
+                format!("${r} + {q} = {whole}$")
             } else if context.has_letters() {
-                format!(r"$\|{a} - {b}\| = {}$", number(apart))
+                format!(r"$\|{a} - {b}\| = {whole}$")
             } else {
-                format!("centres ${}$ apart", number(apart))
+                format!("centres ${whole}$ apart")
             },
             centers,
             Role::Ink,
@@ -317,14 +321,14 @@ fn tracks(context: &Context, compared: &Compared, touching: bool) -> [Length; 3]
         ),
         bar(
             "r1",
-            format!("${r} = {}$", number(radii[0])),
+            format!("${r} = {first}$"),
             [centers[0], centers[0] + n * radii[0]],
             Role::A,
             Pen::highlighted(Role::A),
         ),
         bar(
             "r2",
-            format!("${q} = {}$", number(radii[1])),
+            format!("${q} = {second}$"),
             [centers[1] - n * radii[1], centers[1]],
             Role::B,
             Pen::highlighted(Role::B),
@@ -351,11 +355,25 @@ mod tests {
             let plan = plan(&scene).unwrap();
             let figure = draw(&plan, plan.theme, "slanted");
             let label = figure.panels[0].placed.iter().find(|label| label.key == "centers").unwrap();
-            let end = points(paths(&figure.drawing.items, "lengths")[0])[1];
+            let ends = points(paths(&figure.drawing.items, "lengths")[0]);
             let near = label.bounds.grown(30.0);
-            assert!(near.union(Rect::new(end, end)) == near, "{place}: {:?} {end:?}", label.bounds);
+            assert!(
+                ends.iter().any(|&end| near.union(Rect::new(end, end)) == near),
+                "{place}: {:?} {ends:?}",
+                label.bounds
+            );
             assert_eq!(figure.faults(), [], "{place}");
         }
+    }
+
+    #[test]
+    fn the_radii_and_p_add_up_to_the_distance_as_they_are_written() {
+        let text = "shapes.Sun = { kind = 'circle', radius = 696 }
+            shapes.Moon = { kind = 'circle', radius = 2.44, position = [700, -3] }
+            query = { kind = 'separation', of = ['Sun', 'Moon'], algorithm = 'circles' }";
+        let scene = open_text("sum", text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        assert_eq!(labels(&draw(&plan, plan.theme, "sum"))["centers"].1, 700.01, "p is 1.57");
     }
 
     #[test]

@@ -10,7 +10,7 @@ use crate::figure::cue::Cue;
 use crate::figure::sketch::{
     Anchor, LARGE_MARKER, Label, MARKER, Marker, Outline, Pen, Rank, Size, Sketch, Wash, Weight,
 };
-use crate::figure::text::number;
+use crate::figure::text::{number, whole_and_parts};
 use crate::geometry::{DVec2, perp};
 use crate::trace::Event;
 
@@ -218,12 +218,13 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
         let blue = Role::Translation;
         sketch.part("closest").arrow_to(DVec2::ZERO, v, Marker::Diamond.reach(MARKER), Pen::vector(blue));
         sketch.detail(&[DVec2::ZERO, v]);
-        let text = if values { format!(r"$\|v\| = {}$", number(v.length())) } else { "$v$".to_owned() };
-        sketch.label(Label::new("closest", text, Anchor::middle(DVec2::ZERO, v), blue));
         let radius = radii(context);
+        let lengths = of_cores(v.length(), radius, values && radius > 0.0 && step.next.is_none());
+        let text = if values { format!(r"$\|v\| = {}$", lengths[0]) } else { "$v$".to_owned() };
+        sketch.label(Label::new("closest", text, Anchor::middle(DVec2::ZERO, v), blue));
         search(sketch, v, step, (values, radius > 0.0));
         if radius > 0.0 && step.next.is_none() {
-            beyond(sketch, context, v, radius);
+            beyond(sketch, context, (v, radius), &lengths[1]);
         }
     }
     if let Some(w) = step.next {
@@ -263,12 +264,19 @@ fn names(sketch: &mut Sketch, context: &Context, step: &Step, options: &Options)
     }
 }
 
+/// The distance of the cores and the radii as LaTeX; if `compared`, so that they leave that of the bodies.
+fn of_cores(distance: f64, radii: f64, compared: bool) -> [String; 2] {
+    let texts = whole_and_parts(distance, &[radii], distance - radii);
+    let text = |i: usize, x: f64| texts.get(i).filter(|_| compared).cloned().unwrap_or_else(|| number(x));
+    [text(0, distance), text(1, radii)]
+}
+
 /// Measures from v towards the origin how far B ⊖ A reaches beyond the cores: the radii, by which the
 /// distance is less than that of v.
-fn beyond(sketch: &mut Sketch, context: &Context, v: DVec2, radius: f64) {
+fn beyond(sketch: &mut Sketch, context: &Context, (v, radius): (DVec2, f64), text: &str) {
     let rim = v - v.normalize_or_zero() * radius;
     sketch.part("beyond").dimension(v, rim, LEAST, Pen::dimension(Role::Difference));
-    let text = format!("${} = {}$", radii_in_words(context), number(radius));
+    let text = format!("${} = {text}$", radii_in_words(context));
     let anchor = Anchor::Beside { from: v, to: rim, offset: LEAST };
     sketch.label(Label::new("r", text, anchor, Role::Difference).size(Size::Note));
 }

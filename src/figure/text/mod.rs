@@ -11,6 +11,7 @@ mod columns;
 mod contacts;
 mod decimal;
 mod digits;
+mod directions;
 mod fill;
 mod fold;
 mod givers;
@@ -32,7 +33,9 @@ pub(crate) use caption::{
 pub(crate) use decimal::Decimal;
 pub(crate) use digits::Digits;
 pub(crate) use fill::filled;
-pub(crate) use number::{in_math, in_words, number, parts, rounded, rounded_down, rounded_up, terms};
+pub(crate) use number::{
+    in_math, in_words, number, parts, rounded, rounded_down, rounded_up, terms, whole_and_parts,
+};
 pub(crate) use overrides::{label_key, overridden};
 pub(crate) use places::Places;
 pub use plain::plain;

@@ -1,7 +1,7 @@
 //! Numbers as text: three significant digits, or all where they are few, and no more than the bounds allow.
 
 use super::digits::Digits;
-use crate::geometry::read;
+use crate::geometry::{power_of_ten, read};
 
 /// The digits of a number on a figure where nobody asks for others.
 pub(crate) const USUAL: Digits = Digits::Usual;
@@ -12,6 +12,9 @@ const ROUNDING: f64 = 1e-14;
 /// Digits that terms and their result are given at most, until they add up as they are written: each digit
 /// more does for three sums of four.
 const MORE: usize = 6;
+
+/// Half a unit of the last digit, within which what is left of a sum rounds to what is written.
+const HALF: f64 = 0.5;
 
 /// A number lying in [lo, hi], to three digits, or all it has where they are few: digits that the two ends do
 /// not share are left out.
@@ -66,6 +69,27 @@ pub(crate) fn parts(parts: &[f64], result: f64) -> (Vec<String>, String) {
     (written, result)
 }
 
+/// A length and its parts as LaTeX, whose rest is written elsewhere: each as anywhere else, or all to as many
+/// digits after the point, so that who takes the parts from the whole as they are written has the rest as it
+/// is written.
+#[must_use]
+pub(crate) fn whole_and_parts(whole: f64, parts: &[f64], rest: f64) -> Vec<String> {
+    let all: Vec<f64> = [whole].iter().chain(parts).copied().collect();
+    let sum = Sum::of(&all, rest);
+    let fewest = sum.texts.iter().map(|text| after_point(text)).max().unwrap_or(0);
+    let unit = power_of_ten(-f64::from(u32::try_from(fewest).unwrap_or(u32::MAX)));
+    // A rest that is written whole is exactly what is left.
+    let within = if sum.short.last() == Some(&true) { 0.0 } else { HALF * unit };
+    let rest = sum.texts.last().and_then(|text| read(text)).unwrap_or(rest);
+    let mut written = sum.written_until(sum.texts.clone(), fewest, |texts| {
+        let numbers: Vec<f64> = texts.iter().take(all.len()).filter_map(|text| read(text)).collect();
+        let left = numbers.first().unwrap_or(&whole) - numbers.iter().skip(1).sum::<f64>();
+        (left - rest).abs() <= within + ROUNDING * whole.abs()
+    });
+    written.truncate(all.len());
+    written
+}
+
 /// Digits of a text after its point.
 fn after_point(text: &str) -> usize {
     text.split_once('.').map_or(0, |(_, decimals)| decimals.len())
@@ -105,12 +129,22 @@ impl Sum {
     /// What is written, as LaTeX: the first try, or the one with the fewest digits, from so many after the
     /// point, that adds up; as anywhere else where one has a power of ten.
     fn written(&self, first: Vec<String>, fewest: usize) -> Vec<String> {
+        self.written_until(first, fewest, |texts| self.adds_up(texts))
+    }
+
+    /// What is written until it is `right`.
+    fn written_until(
+        &self,
+        first: Vec<String>,
+        fewest: usize,
+        is_right: impl Fn(&[String]) -> bool,
+    ) -> Vec<String> {
         let latex = |texts: &[String]| texts.iter().map(|text| in_math(text)).collect();
         if self.texts.iter().any(|text| text.contains('e')) {
             return latex(&self.texts);
         }
         let more = (fewest..=fewest + MORE).map(|decimals| self.to_decimals(decimals));
-        let found = std::iter::once(first.clone()).chain(more).find(|texts| self.adds_up(texts));
+        let found = std::iter::once(first.clone()).chain(more).find(|texts| is_right(texts));
         latex(&found.unwrap_or(first))
     }
 
@@ -212,6 +246,19 @@ mod tests {
             let (mut all, result) = parts(&of, sum);
             all.push(result);
             assert_eq!(all, shown, "{of:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_taken_from_a_whole_leaves_the_rest_that_is_written_elsewhere() {
+        for (whole, of, rest, shown) in [
+            (700.006_43, vec![696.0, 2.44], 1.566_43, ["700.01", "696", "2.44"].as_slice()),
+            (8.0, vec![5.0, 2.0], 1.0, ["8", "5", "2"].as_slice()),
+            (4.668_8, vec![2.334_4, 2.334_4], 0.0, ["4.6688", "2.3344", "2.3344"].as_slice()),
+            (1000.003, vec![500.001, 700.004], -200.002, ["1000", "500", "700"].as_slice()),
+            (3.0, vec![3.0], 1e-9, ["3", "3"].as_slice()),
+        ] {
+            assert_eq!(whole_and_parts(whole, &of, rest), shown, "{whole}");
         }
     }
 

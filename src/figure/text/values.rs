@@ -8,6 +8,7 @@ use crate::trace::Event;
 
 use super::boxes::{angle_of_the_box, bounds, half, half_extents, middle};
 use super::contacts::{self, deepest};
+use super::directions::{d, hit_normal, normal, penetration};
 use super::quantity::Quantity;
 use super::step_values::{of_step, of_step_or_first};
 
@@ -64,22 +65,22 @@ pub(crate) static VALUES: &[Value] = &[
     Value { name: "closest.separation", about: "the least separation of a miss, world units", of: least },
     Value {
         name: "n.x",
-        about: "x of the unit normal from A to B at the panel's moment, in the world",
+        about: "x of the unit normal from A to B at the panel's moment, in the panel's frame",
         of: |c| normal(c).map(|n| n.x).map(Quantity::exactly),
     },
     Value {
         name: "n.y",
-        about: "y of the unit normal from A to B at the panel's moment, in the world",
+        about: "y of the unit normal from A to B at the panel's moment, in the panel's frame",
         of: |c| normal(c).map(|n| n.y).map(Quantity::exactly),
     },
     Value {
         name: "hit.n.x",
-        about: "x of the unit normal from A to B at the first contact, in the world",
+        about: "x of the unit normal from A to B at the first contact, in the panel's frame",
         of: |c| hit_normal(c).map(|n| n.x).map(Quantity::exactly),
     },
     Value {
         name: "hit.n.y",
-        about: "y of the unit normal from A to B at the first contact, in the world",
+        about: "y of the unit normal from A to B at the first contact, in the panel's frame",
         of: |c| hit_normal(c).map(|n| n.y).map(Quantity::exactly),
     },
     Value { name: "bound", about: "time of the article's first step, or the motion bound", of: bound },
@@ -114,11 +115,27 @@ pub(crate) static VALUES: &[Value] = &[
         Event::CirclesCompared { distance_squared, .. } => distance_squared.sqrt()
     ),
     told!("radii", "sum of two circles' radii", Event::CirclesCompared { radii: [p, q], .. } => p + q),
-    told!("N.x", "x of the article's N", Event::PenetrationMeasured { direction, .. } => direction.x),
-    told!("N.y", "y of the article's N", Event::PenetrationMeasured { direction, .. } => direction.y),
+    Value {
+        name: "N.x",
+        about: "x of the article's N, in the panel's frame",
+        of: |c| penetration(c, |[n, _]| n.x),
+    },
+    Value {
+        name: "N.y",
+        about: "y of the article's N, in the panel's frame",
+        of: |c| penetration(c, |[n, _]| n.y),
+    },
     told!("p", "the article's p, signed", Event::PenetrationMeasured { p, .. } => *p),
-    told!("P.x", "x of the penetration vector", Event::PenetrationMeasured { vector, .. } => vector.x),
-    told!("P.y", "y of the penetration vector", Event::PenetrationMeasured { vector, .. } => vector.y),
+    Value {
+        name: "P.x",
+        about: "x of the penetration vector, in the panel's frame",
+        of: |c| penetration(c, |[_, p]| p.x),
+    },
+    Value {
+        name: "P.y",
+        about: "y of the penetration vector, in the panel's frame",
+        of: |c| penetration(c, |[_, p]| p.y),
+    },
     told!("V.x", "x of V, in the box's frame", Event::Clamped { v, .. } => v.x),
     told!("V.y", "y of V, in the box's frame", Event::Clamped { v, .. } => v.y),
     told!("clamped.x", "x of V clamped to the half-extents", Event::Clamped { clamped, .. } => clamped.x),
@@ -126,8 +143,16 @@ pub(crate) static VALUES: &[Value] = &[
     told!("r", "the circle's radius", Event::Clamped { radius, .. } => *radius),
     Value { name: "box.angle", about: "angle of the box that clamps, degrees", of: angle_of_the_box },
     Value { name: "D", about: "length of D = B − B_c", of: |c| d(c, DVec2::length) },
-    Value { name: "D.x", about: "x of D: B − B_c, or the gap of two AABBs", of: |c| d(c, |d| d.x) },
-    Value { name: "D.y", about: "y of D: B − B_c, or the gap of two AABBs", of: |c| d(c, |d| d.y) },
+    Value {
+        name: "D.x",
+        about: "x of D: B − B_c in the panel's frame, or the gap of two AABBs",
+        of: |c| d(c, |d| d.x),
+    },
+    Value {
+        name: "D.y",
+        about: "y of D: B − B_c in the panel's frame, or the gap of two AABBs",
+        of: |c| d(c, |d| d.y),
+    },
     told!(
         "centers.x",
         "distance of two AABBs' centres in x",
@@ -232,21 +257,6 @@ fn least(context: &Context) -> Option<Quantity> {
     Some(Quantity::within(context.closest()?.bounds))
 }
 
-/// The unit normal from A to B at the panel's moment.
-fn normal(context: &Context) -> Option<DVec2> {
-    let run = context.separation_at(context.time)?;
-    Some(*run.separation()?.normal)
-}
-
-/// The unit normal from A to B at the first contact.
-fn hit_normal(context: &Context) -> Option<DVec2> {
-    let run = context.run();
-    match run.answer {
-        Answer::Impact(_) => Some(*run.separation()?.normal),
-        _ => None,
-    }
-}
-
 /// The article's first step `t = d / (v·n + r_A|ω_A| + r_B|ω_B|)`, as an advancement takes it, whichever
 /// algorithm answered; for a motion bound the bound itself.
 fn bound(context: &Context) -> Option<Quantity> {
@@ -299,15 +309,6 @@ fn last_step(context: &Context) -> Option<Quantity> {
 #[expect(clippy::cast_precision_loss, reason = "a step cap is far below 2^53")]
 fn count(n: usize) -> f64 {
     n as f64
-}
-
-/// What `pick` takes of D.
-fn d(context: &Context, pick: fn(DVec2) -> f64) -> Option<Quantity> {
-    context.run().find_told(|event| match event {
-        Event::Clamped { d, .. } => Some(Quantity::exactly(pick(*d))),
-        Event::ExtentsCompared { gap, .. } => Some(Quantity::exactly(pick(*gap))),
-        _ => None,
-    })
 }
 
 #[cfg(test)]
