@@ -99,6 +99,12 @@ impl Body {
         }
     }
 
+    /// Whether its motion turns it: a circle about its own centre is where it was, whatever its spin.
+    #[inline]
+    pub(crate) fn turns(&self) -> bool {
+        !self.spin.is_zero() && self.shape.vertices != [DVec2::ZERO]
+    }
+
     /// A body that does not move, unturned: its position is in world units. The other fields may be set.
     ///
     /// ```

@@ -20,8 +20,8 @@ pub(crate) use letters::{begun, small};
 pub use names::Names;
 pub use number::Angle;
 pub(crate) use number::{
-    Ball, Dd, Exact, Turn, combined, fast_two_sum, length, power_of_ten, read, taming_power, two_product,
-    two_sum,
+    Ball, Dd, Exact, MOST_EPS, Turn, combined, fast_two_sum, length, power_of_ten, read, taming_power,
+    two_product, two_sum,
 };
 pub use rotation::Rotation;
 pub use shape::Shape;

@@ -9,7 +9,7 @@ use serde_json::{Map, Value, json};
 
 use crate::collision::answer::{Part, Parts};
 use crate::collision::{Answer, QueryKind};
-use crate::geometry::{Enclosure, Feature, Names, Side, read};
+use crate::geometry::{Enclosure, Feature, MOST_EPS, Names, Side, read};
 
 use super::node::number;
 
@@ -107,11 +107,25 @@ pub(super) fn lines(result: &Value, names: &Names) -> String {
     lines
 }
 
-/// A value whose numbers have three digits: of how far another answer is off only the size matters.
+/// The end of a key whose numbers are in units of S ε.
+const IN_EPS: &str = "_in_eps";
+
+/// The largest size of a number, or of several.
+fn largest(value: &Value) -> f64 {
+    match value {
+        Value::Object(entries) => entries.values().map(largest).fold(0.0, f64::max),
+        other => other.as_f64().unwrap_or(0.0).abs(),
+    }
+}
+
+/// A value whose numbers have three digits: of how far another answer is off only the size matters. In units
+/// of S ε it is left out where that is beyond any rounding.
 fn to_few_digits(value: &Value) -> Value {
     match value {
         Value::Object(entries) => {
-            entries.iter().map(|(key, value)| (key.clone(), to_few_digits(value))).collect()
+            let is_rounding = |key: &str, value: &Value| !key.ends_with(IN_EPS) || largest(value) <= MOST_EPS;
+            let told = entries.iter().filter(|(key, value)| is_rounding(key, value));
+            told.map(|(key, value)| (key.clone(), to_few_digits(value))).collect()
         }
         Value::Number(x) => {
             let x = x.as_f64().unwrap_or(f64::NAN);
@@ -185,11 +199,11 @@ mod tests {
         assert!(told.contains(r#"bullet (1, 0), "the wall" (3, 0)"#), "{told}");
         assert!(told.contains(r#"bullet vertex 0, "the wall" edge 3"#), "{told}");
         assert!(answer_json(scene.query.kind, &answer)["points"]["A"].is_array());
-        let off =
-            json!({"off": {"separation": -0.599_999_999, "separation_in_eps": -2_702_159_776_422_297_i64}});
-        assert_eq!(
-            lines(&off, &Names::default()).trim(),
-            "off                separation -0.6, separation in eps -2.70e15"
-        );
+        let off = |separation: f64, in_eps: f64| {
+            let off = json!({"off": {"separation": separation, "separation_in_eps": in_eps}});
+            lines(&off, &Names::default()).trim().to_owned()
+        };
+        assert_eq!(off(-6e-7, -2.702e9), "off                separation -6.00e-7, separation in eps -2.70e9");
+        assert_eq!(off(-0.6, -2.702e15), "off                separation -0.6", "which is no rounding");
     }
 }

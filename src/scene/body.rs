@@ -32,9 +32,13 @@ pub(super) fn read(name: &Spanned<String>, node: &Node, p: &mut Problems) -> Rea
     Read { name: name.clone(), body }
 }
 
-/// Notes a name that is too long to be written on its shape.
+/// Notes a name that is too long to be written on its shape, or of no letter at all.
 pub(super) fn short_name(name: &Spanned<String>, p: &mut Problems) {
     let length = name.value.chars().count();
+    if length == 0 {
+        let (key, expected) = ("shapes".to_owned(), "a name of at least one letter".to_owned());
+        p.add(Fault::OutOfRange { key, expected, got: "\"\"".to_owned() }, &name.span);
+    }
     if length > MAX_NAME {
         let fault =
             Fault::OverLimit { what: "a name".to_owned(), limit: MAX_NAME, unit: "characters", got: length };
@@ -119,7 +123,8 @@ fn only_one(table: &Checked<'_>, keys: &[&'static str], p: &mut Problems) {
     let mut written = keys.iter().filter_map(|key| table.get(key).map(|node| (key, node)));
     let Some((first, _)) = written.next() else { return };
     for (other, node) in written {
-        let message = format!("`{first}` and `{other}` say the same: expected one of them, got both");
+        let what = if SPINS.contains(first) { "how fast it turns" } else { "how it is turned" };
+        let message = format!("`{first}` and `{other}` both say {what}: expected one of them, got both");
         let help = format!("leave out `{first}` or `{other}`");
         p.add(Fault::Conflict { message, help }, &node.span);
     }

@@ -143,7 +143,7 @@ fn fits(question: &Question, bodies: &[(&str, &Body)], table: &Checked<'_>, p: &
     }
     let mut fits = true;
     for (name, body) in bodies {
-        if question.motion == Motion::Unturning && !body.spin.is_zero() {
+        if question.motion == Motion::Unturning && body.turns() {
             p.add(Fault::TurningBody { body: (*name).to_owned() }, &span_of(table, "kind"));
             fits = false;
         }
@@ -233,6 +233,24 @@ mod tests {
         );
         let wrong = read(&Source::new("test", &text)).err().unwrap_or_default();
         wrong.iter().map(|problem| problem.fault.code()).collect()
+    }
+
+    #[test]
+    fn a_circle_may_spin_about_its_own_centre_in_a_sweep_and_clamps_in_any_matrix() {
+        let codes = |disc: &str, kind: &str| {
+            let text = format!(
+                "shapes.A = {{ kind = 'box', half_extents = [1, 1] }}
+                 shapes.B = {{ kind = 'circle', radius = 1, position = [4, 0], velocity = [-4, 0], {disc} }}
+                 query = {{ of = ['A', 'B'], {kind} }}"
+            );
+            let wrong = read(&Source::new("test", &text)).err().unwrap_or_default();
+            wrong.iter().map(|problem| problem.fault.code()).collect::<Vec<_>>()
+        };
+        let sweep = "kind = 'linear-sweep'";
+        assert_eq!(codes("angular_velocity_deg = 90", sweep), [""; 0]);
+        assert_eq!(codes("center = [0.5, 0], angular_velocity_deg = 90", sweep), ["turning-body"]);
+        let clamp = "kind = 'separation', algorithm = 'clamp'";
+        assert_eq!(codes("rotation = [0.6, 0.8]", clamp), [""; 0]);
     }
 
     #[test]

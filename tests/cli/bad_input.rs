@@ -207,7 +207,7 @@ error[unknown-body]: the scene has no shape `C`
 #[test]
 fn a_sweep_of_a_turning_shape_is_told() {
     let scene = changed("\"separation\"", "\"linear-sweep\"")
-        .replace("radius = 2", "radius = 2\nangular_velocity_deg = 90");
+        .replace("radius = 2", "radius = 2\ncenter = [1, 0]\nangular_velocity_deg = 90");
     let got = complaint("s.toml", &scene);
     assert!(
         got.starts_with(
@@ -350,7 +350,18 @@ fn one_bad_scene_does_not_stop_the_others() {
 fn an_angle_in_two_units_names_both() {
     let angles = "radius = 2\nangle_deg = 30\nangle_rad = 0.5";
     let got = complaint("s.toml", &changed("radius = 2", angles));
-    let expected = "error[conflict]: `angle_deg` and `angle_rad` say the same: expected one of them, got both\n \
-                    --> s.toml:9:13\n";
+    let expected = "error[conflict]: `angle_deg` and `angle_rad` both say how it is turned: expected one of \
+                    them, got both\n --> s.toml:9:13\n";
     assert!(got.starts_with(expected), "{got}");
+}
+
+#[test]
+fn two_ways_to_say_a_turn_are_not_said_to_say_the_same_and_a_shape_has_a_name() {
+    let turned = changed("radius = 2", "radius = 2\nangle_deg = 30\nrotation = [1, 0]");
+    let got = complaint("s.toml", &turned);
+    assert!(got.contains("`angle_deg` and `rotation` both say how it is turned"), "{got}");
+    let line = r#"{"shapes": {"A": {"kind": "circle", "radius": 1}, "": {"kind": "circle", "radius": 1}},
+        "query": {"kind": "overlap", "of": ["A", ""]}}"#;
+    let got = complaint("s.json", line);
+    assert!(got.contains("expected a name of at least one letter, got \"\""), "{got}");
 }

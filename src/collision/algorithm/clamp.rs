@@ -42,11 +42,13 @@ pub(crate) const ALGORITHM: Algorithm = Algorithm {
 fn shapes(query: &Query) -> Result<(), &'static str> {
     let circle = |body: &Body| body.shape.core.len() == 1;
     let boxed = |body: &Body| body.shape.half_extents.is_some() && body.shape.core.len() == 4;
-    let multiplied = |body: &Body| !body.shape.is_as_written();
+    // A circle's centre is the origin of its frame, which no matrix moves.
+    let multiplied = |body: &Body| boxed(body) && !body.shape.is_as_written();
     match query.b {
-        Some(b) if multiplied(query.a) || multiplied(b) => {
-            Err("clamps in a box's own frame, in which lengths are the world's: takes no `rotation`")
-        }
+        Some(b) if multiplied(query.a) || multiplied(b) => Err(
+            "clamps in a box's own frame, in which lengths are the world's: takes the box with `angle_deg` \
+             or `angle_rad`, without `rotation`",
+        ),
         Some(b) if (circle(query.a) && boxed(b)) || (boxed(query.a) && circle(b)) => Ok(()),
         _ => Err("takes a circle and a box or aabb"),
     }

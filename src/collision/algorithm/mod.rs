@@ -212,6 +212,9 @@ fn convex_pair(query: &Query) -> Result<(), &'static str> {
 /// Takes two convex bodies that do not turn.
 fn unturning_pair(query: &Query) -> Result<(), &'static str> {
     convex_pair(query)?;
-    let turns = |body: &Body| !body.spin.is_zero();
-    if turns(query.a) || query.b.is_some_and(turns) { Err("takes bodies that do not turn") } else { Ok(()) }
+    if query.a.turns() || query.b.is_some_and(Body::turns) {
+        Err("takes bodies that do not turn")
+    } else {
+        Ok(())
+    }
 }

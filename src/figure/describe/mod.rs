@@ -15,7 +15,7 @@ mod short;
 
 pub(crate) use long::{long, shown};
 pub(crate) use phrases::QUESTION;
-pub(crate) use result::Account;
+pub(crate) use result::{Account, closing};
 pub(crate) use short::short;
 
 use crate::trace::Phrase;

@@ -279,7 +279,7 @@ fn closest_in_words(told: &Account) -> String {
 /// all.
 fn as_near(scene: &Scene, time: f64, distance: f64) -> Option<[f64; 2]> {
     let query = scene.query_at(0.0);
-    let b = query.b.filter(|b| b.spin.is_zero() && query.a.spin.is_zero())?;
+    let b = query.b.filter(|b| !b.turns() && !query.a.turns())?;
     let is_near = |t: f64| Pair::at(query.a, b, t).separation().bounds.lo <= distance;
     let ends = [0.0, 1.0].map(|end| {
         let (mut near, mut far) = (time, end);
@@ -297,7 +297,7 @@ fn as_near(scene: &Scene, time: f64, distance: f64) -> Option<[f64; 2]> {
 
 /// How fast witness points that are carried with the bodies come nearer at `time`, world units per unit of
 /// time; 0 where that is rounding.
-fn closing(scene: &Scene, time: f64, normal: DVec2, [p, q]: [DVec2; 2]) -> f64 {
+pub(crate) fn closing(scene: &Scene, time: f64, normal: DVec2, [p, q]: [DVec2; 2]) -> f64 {
     let query = scene.query_at(time);
     let carried =
         |body: &Body, at: DVec2| body.velocity + perp(at - body.pose_at(time).position) * body.spin.radians();

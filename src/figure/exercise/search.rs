@@ -7,8 +7,9 @@
 
 use oorandom::Rand64;
 
-use crate::collision::Answer;
+use crate::collision::{Answer, Outcome};
 use crate::figure::called::Called;
+use crate::figure::describe::closing;
 use crate::figure::runs::Runs;
 use crate::figure::standing::standing;
 use crate::scene::{Numbers, Scene, SceneFile, Template};
@@ -97,6 +98,9 @@ struct Kind {
     ties: u32,
     /// Whether every number that is asked for has three digits at most.
     is_short: bool,
+    /// Whether bodies that hit do so within the motion, and go into each other: a graze, or a hit at the very
+    /// end, may be missed by who computes it in other roundings.
+    is_clear: bool,
 }
 
 impl Kind {
@@ -111,14 +115,22 @@ impl Kind {
             _ => 1,
         };
         let is_short = all.iter().all(is_short);
-        let kind = Self { standing: standing(&run.answer), ties, is_short };
+        let kind =
+            Self { standing: standing(&run.answer), ties, is_short, is_clear: is_clear(scene, &run.answer) };
         (all.len() == exercise.ask.len()).then_some(kind)
     }
 
-    /// Whether an answer turned out as another one, with one way out where that has one.
+    /// Whether an answer turned out as another one, with one way out and as clear where that one is.
     fn is_like(&self, other: &Self) -> bool {
-        self.standing == other.standing && self.ties == other.ties
+        self.standing == other.standing && self.ties == other.ties && (self.is_clear || !other.is_clear)
     }
+}
+
+/// Whether a hit is within the motion and no graze; so is any other answer.
+fn is_clear(scene: &Scene, answer: &Answer) -> bool {
+    let Answer::Impact(impact) = answer else { return true };
+    let Outcome::Hit { time, contact } = &impact.outcome else { return true };
+    time.hi < 1.0 && closing(scene, time.lo, *contact.normal, contact.points) > 0.0
 }
 
 /// Whether an answer is a number of three digits at most, and no other number; 0 is no answer to a length or
@@ -235,6 +247,17 @@ mod tests {
         assert!(turns.iter().all(|one| one[1] != 0.0), "what turns still does: {turns:?}");
         assert!(varied("angle_deg = 90, angular_velocity_deg = 0").iter().all(|one| one[1] == 0.0));
         assert_eq!([turn(30.0), turn(-135.0), turn(17.0), turn(0.0)], [30.0, 45.0, 0.0, 90.0]);
+    }
+
+    #[test]
+    fn of_hits_only_those_vary_that_are_no_graze_and_not_at_the_end() {
+        let text = "exercise.ask = 'time'
+            shapes.B = { kind = 'box', half_extents = [1, 0.5], position = [4, 0.5], velocity = [-4, 0] }
+            query = { kind = 'linear-sweep', of = ['A', 'B'] }";
+        for one in search(&template(text), 40).unwrap() {
+            let scene = &one.file.scene;
+            assert!(is_clear(scene, &crate::scene::solve(scene)), "{:?}", one.numbers);
+        }
     }
 
     #[test]

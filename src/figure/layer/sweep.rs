@@ -7,7 +7,7 @@
 
 use crate::figure::context::Context;
 use crate::figure::sketch::{Outline, Pen, Sketch, Wash, Weight};
-use crate::geometry::{DVec2, Side, sort_by};
+use crate::geometry::{Body, DVec2, Side, sort_by};
 use crate::scene::When;
 
 use super::{Fed, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
@@ -46,7 +46,7 @@ pub(super) const LAYER: Layer = Layer {
 
 /// The bodies that go straight as the panel shows it, so that the tangents bound what they sweep.
 fn swept(context: &Context, options: &Options) -> Vec<Side> {
-    let turns = |side: Side| context.body(side).is_none_or(|body| !body.spin.is_zero());
+    let turns = |side: Side| context.body(side).is_none_or(Body::turns);
     let frame_turns = context.moving_frame().is_some_and(|frame| frame.turns());
     let moves =
         |&side: &Side| !frame_turns && !turns(side) && context.pose(side, 0.0) != context.pose(side, 1.0);

@@ -22,3 +22,7 @@ pub(crate) use double_double::{Dd, combined, fast_two_sum, taming_power, two_pro
 pub(crate) use exact::Exact;
 pub(crate) use length::length;
 pub(crate) use read::{power_of_ten, read};
+
+/// The most units of S ε that people are told how far another answer is off: some twenty roundings of single
+/// precision. What is off by more has no rounding to blame.
+pub(crate) const MOST_EPS: f64 = 1e10;

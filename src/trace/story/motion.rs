@@ -6,7 +6,7 @@ use super::phrases::moving::{
     PATH, PATHS, POINT_BY, RAY, SEPARATION_BY, STEP, STOPS, SWEPT, THAN, TIME_BY, WITH_TURNING,
 };
 use super::words::Voice;
-use crate::geometry::{DVec2, Feature, Side};
+use crate::geometry::{DVec2, Feature, MOST_EPS, Side};
 use crate::trace::{Culling, Moment, SupportVertex};
 
 pub(super) fn ray(
@@ -79,7 +79,7 @@ pub(super) fn compared(
 ) -> String {
     let unit = size * f64::EPSILON;
     let length = |x: f64| match voice.few(x) {
-        told if unit > 0.0 => format!("{told} ({} S eps)", voice.few(x / unit)),
+        told if unit > 0.0 && x.abs() <= MOST_EPS * unit => format!("{told} ({} S eps)", voice.few(x / unit)),
         told => told,
     };
     let point = |side: Side, x: f64| voice.say(&POINT_BY, &[&voice.of(side), &length(x)]);
