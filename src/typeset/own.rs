@@ -11,7 +11,7 @@ const WORDS: &str = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456
 /// Formulas that have between them what our layers write: numbers and signs, the letters of quantities, what
 /// stands below them, and words.
 const FORMULAS: [&str; 6] = [
-    r"0123456789 = + - ( ) [ ] | , {,} ; . : / ' ° \| \cdot \times \le \ge \ominus",
+    r"0123456789 = + - ( ) [ ] | , {,} ; . : / ' ° \| \cdot \times \approx \le \ge \ominus \ldots",
     r"a b c d e h i n p q r s t v w x y A B D I L N O P R V \theta \omega",
     r"t_{0123456789 -,aceinqxy} A_{A''}'' B_{B''} a_{a''} b_{b''}",
     r"x_{\min} x_{\max}",
