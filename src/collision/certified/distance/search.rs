@@ -140,8 +140,10 @@ fn toward(pair: &Pair, balls: &BallPair, facing: DifferenceEdge) -> (DifferenceE
     if hull.vertices.len() > 2 || !measured.gap.is_negative() {
         return (facing, measured);
     }
-    let facing = DifferenceEdge { edge: hull.next(facing.edge), ..facing };
-    (facing, balls.measure(facing))
+    let other = DifferenceEdge { edge: hull.next(facing.edge), ..facing };
+    let behind = balls.measure(other);
+    // Of segments that cross or meet neither edge faces it: the nearer one stays.
+    if (measured.gap - behind.gap).is_negative() { (other, behind) } else { (facing, measured) }
 }
 
 /// Bound on how much farther B ⊖ A is than the gap along an edge of it: the edge's start is a point of B ⊖ A.
