@@ -142,7 +142,8 @@ impl Motion {
                 open.push((a, middle));
             }
         }
-        Passage::Clear
+        // Clear up to a moment at which s is c: that moment, as both are rounded, is the first.
+        by.map_or(Passage::Clear, |by| Passage::Below { after: by, by })
     }
 
     /// Whether an axis of this moment proves s > c for `half` before and after it.
@@ -267,6 +268,23 @@ mod tests {
             assert!(right, "{}: {expected}, but {passage:?}", scene.id);
         }
         assert_eq!(seen, 13);
+    }
+
+    #[test]
+    fn a_moment_at_which_s_is_c_to_the_last_bit_is_a_passage() {
+        let point = r#""kind": "circle", "radius": 0, "center": [2, 0], "velocity": [2.5, 0]"#;
+        let rod = r#""kind": "capsule", "points": [[3, 0], [2, 0]], "radius": 0, "position": [2, 0]"#;
+        let turned = r#""angle_deg": -63.57155750302594"#;
+        let text = format!(
+            r#"{{"shapes": {{"A": {{{point}, {turned}}}, "B": {{{rod}, {turned}}}}},
+                "query": {{"kind": "linear-sweep", "of": ["A", "B"], "algorithm": "ray-cast"}}}}"#
+        );
+        let motion = Motion::of(&Scene::parse(&text).expect("valid").bodies);
+        // The point meets the rod's end at 0.8, and is this far from it at a moment that halving arrives at.
+        let near = Real::from(64.0 * 3.0 * f64::EPSILON);
+        let passage = motion.first_within(near, Real::ZERO, Real::one());
+        let Passage::Below { after, by } = passage else { panic!("{passage:?}") };
+        assert!(after <= by && by < Real::from(0.8), "{passage:?}");
     }
 
     #[test]
