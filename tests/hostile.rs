@@ -243,6 +243,7 @@ fn figures() -> Vec<(&'static str, String, Fate)> {
             rounds(3.0, ["", ""], "kind='separation'") + &world("'grown'"),
             Some("over-limit"),
         ),
+        ("small copies on 4,096 vertices", small_copies(), None),
         (
             "shapes of 4,096 vertices",
             rounds(3.0, ["", ""], "kind='separation'") + &world(&"'shapes',".repeat(200)),
@@ -340,6 +341,19 @@ fn labels() -> Vec<(&'static str, String, Fate)> {
         ("wide views", circles("2") + &seen("[-5, -3, 5, 1e300]", many).repeat(32), None),
         ("an arc of a billion degrees", arc.to_owned() + &world("{ layer = 'arc', sector = true }"), None),
     ]
+}
+
+/// Copies of a small polygon of 20 vertices on each of the 4,096 of another.
+fn small_copies() -> String {
+    let small = list(20, |k| {
+        let angle = std::f64::consts::TAU * f64::from(u32::try_from(k).unwrap()) / 20.0;
+        format!("[{:.0},{:.0}]", 0.05 * RADIUS * libm::cos(angle), 0.05 * RADIUS * libm::sin(angle))
+    });
+    let x = 3.0 * RADIUS;
+    round("A", 0.0, "")
+        + &format!("[shapes.B]\nkind = 'polygon'\nvertices = [{small}]\nposition = [{x}, 0]\n")
+        + "[query]\nof = ['A', 'B']\nkind = 'separation'\n"
+        + &world("'grown'")
 }
 
 fn teeth() -> String {

@@ -66,3 +66,9 @@ pub(crate) fn areas_within(painted: f64, at: &Range<usize>) -> Result<(), Proble
     }
     within("the areas of the figure", "megapixels", painted.ceil() as usize, MAX_MEGAPIXELS as usize, at)
 }
+
+/// The whole part of a number, for counts.
+#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates, and NaN is 0")]
+pub(crate) fn whole(x: f64) -> usize {
+    x as usize
+}

@@ -128,6 +128,9 @@ fn copies(sketch: &mut Sketch, context: &Context, outline_b: &Outline, b: DVec2)
     sketch.part("copies").weight(Weight::Light);
     let mut last = None;
     for vertex in vertices(context) {
+        if sketch.is_full() {
+            break;
+        }
         let copy = outline_b.turned_about(b).moved(vertex - b);
         sketch.area(&copy, None, Some(Pen::ghost(Role::B)));
         last = Some(copy);

@@ -56,6 +56,9 @@ pub(crate) struct Obstacle {
     pub(crate) part: usize,
 }
 
+/// How many corners of an area are minded at most: each costs as much as there are lines under it.
+const CORNERS: usize = 128;
+
 impl Sketch<'_> {
     /// Makes labels keep off a line of `width` page pixels through points of the panel's space.
     pub(super) fn cover(&mut self, points: &[DVec2], width: f64) {
@@ -70,9 +73,12 @@ impl Sketch<'_> {
         &self.obstacles
     }
 
-    /// Lets labels stand on what the current part drew in a convex area: something opaque will lie on it.
+    /// Lets labels stand on what the current part drew in a convex area: something opaque will lie on it. Of
+    /// an area of many corners it takes [`CORNERS`], between which it is smaller than it is.
     pub(crate) fn hidden_under(&mut self, area: &Outline) {
-        let area: Vec<Point> = area.sampled().iter().map(|&p| self.frame.page(p)).collect();
+        let area = area.sampled();
+        let nth = area.len().div_ceil(CORNERS).max(1);
+        let area: Vec<Point> = area.iter().step_by(nth).map(|&p| self.frame.page(p)).collect();
         let part = self.part;
         let (drawn, kept): (Vec<_>, Vec<_>) = self.obstacles.drain(..).partition(|o| o.part == part);
         self.obstacles = kept;

@@ -25,7 +25,7 @@ use crate::drawing::{Contour, Group, Item, Paint, Path, Point, Rect, Shown};
 use crate::figure::cue::Cue;
 use crate::figure::frame::{Extent, Frame};
 use crate::figure::handle::Hold;
-use crate::figure::limits::{DASH, MAX_POINTS, PATTERNED};
+use crate::figure::limits::{DASH, MAX_POINTS, PATTERNED, whole};
 use crate::figure::theme::Theme;
 use crate::geometry::DVec2;
 
@@ -302,6 +302,9 @@ impl<'f> Sketch<'f> {
     /// Draws an area and its line, each where it is given; `outline` is in the panel's space. What is too
     /// small to have a form is drawn as a marker of the role's shape.
     pub(crate) fn area(&mut self, outline: &Outline, wash: Option<Wash>, pen: Option<Pen>) -> &mut Self {
+        if self.is_full() {
+            return self; // The figure will be refused.
+        }
         let points = outline.sampled();
         if let Some(at) = self.speck(outline, &points) {
             return self.as_point(at, wash, pen);
@@ -391,10 +394,4 @@ impl<'f> Sketch<'f> {
             self.extent = Some((lo.min(q), hi.max(q)));
         }
     }
-}
-
-/// The whole part of a number, for counts.
-#[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates, and NaN is 0")]
-fn whole(x: f64) -> usize {
-    x as usize
 }
