@@ -1,6 +1,6 @@
 //! A panel to groups of a display list: what its layers draw, its inset, its labels at their places.
 
-use crate::drawing::{Clip, Contour, Group, Halo, Item, Path, Rect, Role, Shown, Stroke};
+use crate::drawing::{Clip, Contour, Group, Halo, Item, Path, Rect, Role, Stroke};
 use crate::scene::Space;
 
 use super::cue::Cue;
@@ -134,7 +134,7 @@ pub(super) fn draw_panel(
     let labelled = labelled(plan, &sketched, &sought, (&series, before));
     let mut group = Group::new(format!("panel-{}", index + 1));
     group.label = panel.source.title.as_ref().map(|t| plain(&t.value));
-    let names = labels(&labelled, &sketched.requests, theme);
+    let names = labels(&labelled, theme);
     let mut cues = sketched.cues.clone();
     let points = sketched.points + enlarged.as_ref().map_or(0, |enlarged| enlarged.sketched.points);
     let edge = ground(sketched.frame.panel, plan, theme);
@@ -145,7 +145,7 @@ pub(super) fn draw_panel(
         let [ground, frame] = inset.ground(theme);
         let mut detail = Group::new("inset");
         detail.label = Some(inset.in_words());
-        let names = labels(&labelled, &sketched.requests, theme);
+        let names = labels(&labelled, theme);
         let (first, own) = (cues.len(), sketched.cues.clone());
         let edge = sketched.frame.panel.into();
         detail.items = vec![ground, layers(sketched, edge), frame, names];
@@ -198,7 +198,7 @@ fn without_empty_parts(mut layer: Group) -> Group {
 }
 
 /// The labels of a panel, each with its halo and its leader line.
-fn labels(panel: &Labelled, requests: &[Request], theme: &Theme) -> Item {
+fn labels(panel: &Labelled, theme: &Theme) -> Item {
     let mut group = Group::new("labels");
     for label in &panel.placed {
         let mut one = Group::new(format!("label-{}", label.key));
@@ -218,10 +218,8 @@ fn labels(panel: &Labelled, requests: &[Request], theme: &Theme) -> Item {
                 .iter()
                 .flat_map(|(origin, line)| lettered(line, *origin, label.role, (theme, halo.clone()))),
         );
-        let asked = requests.iter().find(|r| (r.part, r.label.key) == (label.part, label.key));
-        let now = asked.map_or(Shown::ALWAYS, |request| request.shown);
         let mut one = Item::Group(one);
-        one.for_each_shown(&|shown| *shown = now);
+        one.for_each_shown(&|shown| *shown = label.shown);
         group.items.push(one);
     }
     Item::Group(group)

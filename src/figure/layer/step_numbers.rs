@@ -66,7 +66,7 @@ fn lowest(points: &[DVec2], level: f64) -> Option<DVec2> {
 mod tests {
     use super::super::difference::{difference, thinned};
     use super::*;
-    use crate::drawing::{Point, Rect};
+    use crate::drawing::{Item, Point, Rect};
     use crate::figure::frame::Frame;
 
     #[test]
@@ -97,6 +97,35 @@ mod tests {
             named += 1;
         }
         assert!(named > 2, "{named}");
+    }
+
+    #[test]
+    fn labels_of_one_key_come_each_with_its_own_step() {
+        let text = "shapes.A = { kind = 'box', half_extents = [1.2, 0.06], position = [-2, 0],
+                velocity = [2.5, 0.3], angular_velocity_deg = 120 }
+            shapes.B = { kind = 'aabb', half_extents = [0.3, 1.2], position = [0.7, 0] }
+            panels = [{ space = 'configuration', time = 0,
+                layers = [{ layer = 'difference', at = 'steps', numbers = true }] }]
+            query = { kind = 'time-of-impact', of = ['A', 'B'], algorithm = 'conservative-advancement' }";
+        let scene = crate::scene::open_text("steps", text).unwrap().scene;
+        let plan = crate::figure::plan(&scene).unwrap();
+        let figure = crate::figure::draw(&plan, plan.theme, "steps");
+        let mut since = Vec::new();
+        drawn(&figure.drawing.items, false, &mut since);
+        since.dedup();
+        // t₁ is there from the start; each of the others comes with its own outline.
+        assert!(since.len() > 3 && since.windows(2).all(|pair| pair[0] < pair[1]), "{since:?}");
+    }
+
+    /// The steps with which the labels of steps come, in the order of the picture.
+    fn drawn(items: &[Item], is_step: bool, since: &mut Vec<usize>) {
+        for item in items {
+            match item {
+                Item::Group(group) => drawn(&group.items, is_step || group.name == "label-step", since),
+                Item::Text(text) if is_step => since.push(text.shown.since),
+                _ => {}
+            }
+        }
     }
 
     /// How far a point of the page is from a box.

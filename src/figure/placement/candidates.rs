@@ -12,7 +12,7 @@ use super::polyline::Polyline;
 use super::rect::{DIRECTIONS, about, bounds, reach, way_into};
 use super::things::{Thing, Things};
 use super::weights::{Places, Weights};
-use super::{Candidate, Sought, inside};
+use super::{Candidate, Cut, Fold, Sought, inside};
 
 /// Where a label may stand along a line, as parts of the way from its start: the middle first, then about it.
 const ALONG: [f64; 5] = [0.5, 0.35, 0.65, 0.2, 0.8];
@@ -32,8 +32,12 @@ pub(super) fn candidates(sought: &Sought, things: &Things, frame: &Frame, w: &Pl
         return pinned(pin, &sought.anchor, size, frame, things, w);
     }
     let mut all = Vec::new();
+    let in_names = |fold: &Fold| fold.cut == Cut::InNames;
     for folds in 0..=sought.folds.len() {
         let fold = folds.checked_sub(1).and_then(|i| sought.folds.get(i));
+        if fold.is_some_and(in_names) {
+            continue;
+        }
         let more = fold.map_or(0.0, |fold| fold.reluctance(w));
         let found = offered(&sought.anchor, sought.size(folds), things, frame, w);
         let found = found.into_iter().map(|c| Candidate { folds, reluctance: c.reluctance + more, ..c });

@@ -45,7 +45,7 @@ mod worth;
 use std::ops::Range;
 use std::sync::Arc;
 
-use crate::drawing::{Offset, Point, Rect, Role};
+use crate::drawing::{Offset, Point, Rect, Role, Shown};
 use crate::figure::frame::Frame;
 use crate::figure::sketch::{Anchor, Obstacle, Rank};
 use crate::scene::LabelPlace;
@@ -85,6 +85,8 @@ pub(crate) struct Sought {
     pub(crate) loose: bool,
     /// The room that it keeps for wider texts of other frames.
     pub(crate) room: Reserve,
+    /// When it comes and goes.
+    pub(crate) shown: Shown,
     /// Where it comes from in the scene: what a warning points at.
     pub(crate) span: Range<usize>,
 }
@@ -107,6 +109,8 @@ pub(crate) enum Cut {
     InWords,
     /// Between a sum and its result.
     InSum,
+    /// In the names of bodies in scripts, where no place suits the whole label.
+    InNames,
 }
 
 impl Fold {
@@ -117,6 +121,7 @@ impl Fold {
             Cut::AtSpaces => 0.0,
             Cut::InWords => w.broken,
             Cut::InSum => w.result_below,
+            Cut::InNames => w.brief,
         };
         w.folded * lines + cut
     }
@@ -203,6 +208,8 @@ pub struct Placed {
     pub(crate) part: usize,
     /// Where what it belongs to lies, page pixels from the upper left corner of its panel.
     pub(crate) home: Offset,
+    /// When it comes and goes.
+    pub(crate) shown: Shown,
     /// What the picture after this one has to know of its place.
     standing: Standing,
     /// Where it comes from in the scene: what a warning points at.

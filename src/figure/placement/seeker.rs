@@ -97,7 +97,7 @@ impl<'s> Seeker<'s> {
             lines.push((Point::new(x, y + line.ascent), Arc::clone(line)));
             y += line.height() + LEADING;
         }
-        let Sought { key, role, part, .. } = *sought;
+        let Sought { key, role, part, shown, .. } = *sought;
         let home = self.home - Point::new(frame.panel.x0, frame.panel.y0);
         let leader = candidate
             .leader
@@ -105,7 +105,7 @@ impl<'s> Seeker<'s> {
         let (thing, span) = (self.things.own.clone(), sought.span.clone());
         let Candidate { folds, reluctance, .. } = *candidate;
         let standing = Standing { folds, reluctance, cost, loose: sought.loose, room: sought.room };
-        Placed { key, role, lines, bounds, leader, thing, part, home, standing, span }
+        Placed { key, role, lines, bounds, leader, thing, part, home, shown, standing, span }
     }
 }
 

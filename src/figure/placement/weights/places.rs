@@ -50,6 +50,10 @@ super::numbers! {
         /// of `separating-axes` has it below, where a line suffices.
         /// Twice and half: nothing.
         result_below: f64 = 12.0;
+        /// Reluctance of a formula to name its bodies by a few of their letters: more than to stand anywhere
+        /// whole, less than what it costs to hide something.
+        /// Twice and half: nothing.
+        brief: f64 = 20.0;
         /// Reluctance to have a leader line where a label stands near its thing, but as near to another one;
         /// and to have none where it stands off an end of a line.
         /// Twice: 1 + 4 labels; half: 0 + 2 labels.
