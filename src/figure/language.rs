@@ -20,7 +20,7 @@ const STAR: char = '*';
 
 /// Rows that are said of a body at another place: alone in labels that have a name too, which may be any
 /// word.
-const OF_GHOSTS: usize = 12;
+const OF_GHOSTS: usize = 13;
 
 /// Labels that are a name and nothing else.
 const NAMES: [&str; 4] = ["A", "B", "a", "context"];
@@ -52,9 +52,22 @@ pub(crate) const fn rows<const N: usize>(all: [[&'static str; 5]; N]) -> [Row; N
 
 /// Our words for labels and titles.
 pub(crate) static WORDS: &[Row] = &rows([
-    ["expected at $t*", "$t*", "erwartet bei $t*", "attendu à $t*", "esperado en $t*"],
-    ["* expected at $t*", "*: $t*", "* erwartet bei $t*", "* attendu à $t*", "* esperado en $t*"],
-    ["expected $*", "$*", "erwartet $*", "attendu $*", "esperado $*"],
+    [
+        "expected $* (not to scale)",
+        "$*",
+        "erwartet $* (nicht maßstäblich)",
+        "valeur attendue $* (hors échelle)",
+        "valor esperado $* (no a escala)",
+    ],
+    ["expected at $t*", "$t*", "erwartet bei $t*", "pose attendue à $t*", "pose esperada en $t*"],
+    [
+        "* expected at $t*",
+        "*: $t*",
+        "* erwartet bei $t*",
+        "pose attendue de * à $t*",
+        "pose esperada de * en $t*",
+    ],
+    ["expected $*", "$*", "erwartet $*", "valeur attendue $*", "valor esperado $*"],
     ["at $t*", "$t*", "bei $t*", "à $t*", "en $t*"],
     ["* at $t*", "*: $t*", "* bei $t*", "* à $t*", "* en $t*"],
     ["origin of *", "*", "Ursprung von *", "origine de *", "origen de *"],
@@ -63,7 +76,7 @@ pub(crate) static WORDS: &[Row] = &rows([
     ["* pushed out", "*", "* hinausgeschoben", "* après la poussée", "* tras el empuje"],
     ["* pushed farther", "*", "* weiter geschoben", "* plus loin", "* más lejos"],
     ["looks the same", "", "sieht gleich aus", "paraît inchangé", "se ve igual"],
-    ["turned $*$", "$*$", "um $*$ gedreht", "tourné de $*$", "girado $*$"],
+    ["turned $*$", "$*$", "um $*$ gedreht", "rotation de $*$", "giro de $*$"],
     ["depth $d*", "$d*", "Tiefe $d*", "profondeur $d*", "profundidad $d*"],
     ["depth $=*", "$d =*", "Tiefe $=*", "profondeur $=*", "profundidad $=*"],
     ["distance $*", "$d *", "Abstand $*", "distance $*", "distancia $*"],
@@ -73,6 +86,7 @@ pub(crate) static WORDS: &[Row] = &rows([
     ["at least $*", "$\\ge *", "mindestens $*", "au moins $*", "al menos $*"],
     ["centres $*$ apart", "$*$", "Mitten $*$ entfernt", "centres distants de $*$", "centros a $*$"],
     ["$*$, longer", "$*$", "$*$, länger", "$*$, plus long", "$*$, más largo"],
+    ["their points: $*", "$*", "ihre Punkte: $*", "leurs points : $*", "sus puntos: $*"],
     ["one of several", "", "eine von mehreren", "parmi plusieurs", "entre varias"],
     ["clamped $*$", r"$\mathrm{clamp}(*)$", "begrenzt $*$", "$*$ borné", "$*$ limitado"],
     ["largest gap:", "", "größte Lücke:", "plus grand écart :", "hueco mayor:"],
@@ -107,7 +121,7 @@ pub(crate) static WORDS: &[Row] = &rows([
     ],
     ["($*$ turns)", "($*$)", "($*$ Umdrehungen)", "($*$ tours)", "($*$ vueltas)"],
     ["$*$ of *", "$*$", "$*$ von *", "$*$ de *", "$*$ de *"],
-    ["*, drawn at *", "*, *", "*, gezeichnet zu *", "*, dessiné à *", "*, dibujado a *"],
+    ["*, drawn at *", "*, *", "*, gezeichnet zu *", "*, à l’échelle *", "*, a escala *"],
     ["edge of *, $*", "*, $*", "Kante von *, $*", "arête de *, $*", "arista de *, $*"],
     [
         "* more steps, to $*",
@@ -166,7 +180,7 @@ pub(crate) static WORDS: &[Row] = &rows([
     ],
     [
         "slope $*: every arc ends here",
-        "slope $*",
+        "",
         "Steigung $*: hier endet jeder Bogen",
         "pente $* : chaque arc finit ici",
         "pendiente $*: cada arco acaba aquí",
@@ -178,12 +192,12 @@ pub(crate) static WORDS: &[Row] = &rows([
         "* turned about its origin",
         "",
         "* um den eigenen Ursprung gedreht",
-        "* tourné autour de son origine",
-        "* girado alrededor de su origen",
+        "* après rotation autour de son origine",
+        "* tras girar alrededor de su origen",
     ],
-    ["* turned about *", "", "* um * gedreht", "* tourné autour de *", "* girado alrededor de *"],
-    ["* moved to *", "", "* auf * geschoben", "* déplacé en *", "* movido a *"],
-    ["* moved around *", "", "* um * geschoben", "* déplacé autour de *", "* movido alrededor de *"],
+    ["* turned about *", "", "* um * gedreht", "* après rotation autour de *", "* tras girar alrededor de *"],
+    ["* moved to *", "", "* auf * geschoben", "* après déplacement en *", "* tras moverse a *"],
+    ["* moved around *", "", "* um * geschoben", "* glissant autour de *", "* moviéndose alrededor de *"],
     ["from *", "*", "von *", "de *", "de *"],
     ["vertex * of *", "*, *", "Ecke * von *", "sommet * de *", "vértice * de *"],
     ["vertex *", "*", "Ecke *", "sommet *", "vértice *"],
@@ -205,6 +219,10 @@ pub(crate) static WORDS: &[Row] = &rows([
     ["contact *", "*", "Kontakt *", "contact *", "contacto *"],
     ["no contact", "", "kein Kontakt", "pas de contact", "sin contacto"],
     ["dropped", "", "verworfen", "écarté", "descartado"],
+    ["* dropped", "*", "* verworfen", "* écarté", "* descartado"],
+    ["half a turn", "", "halbe Drehung", "demi-tour", "media vuelta"],
+    ["its normal", "", "ihre Normale", "sa normale", "su normal"],
+    ["light", "", "Licht", "lumière", "luz"],
     ["no vertex beyond", "", "keine Ecke dahinter", "aucun sommet au-delà", "ningún vértice más allá"],
     [
         "no vertex of the cores beyond",
@@ -221,7 +239,7 @@ pub(crate) static WORDS: &[Row] = &rows([
     ["tangent", "", "Tangente", "tangente", "tangente"],
     ["start", "", "Anfang", "début", "inicio"],
     ["order", "", "Reihenfolge", "ordre", "orden"],
-    ["* turned", "*", "* gedreht", "* tourné", "* girado"],
+    ["* turned", "*", "* gedreht", "* après rotation", "* tras el giro"],
     ["pushed to *", "", "nach * geschoben", "poussée jusqu’à *", "llevada a *"],
     ["shared", "", "gemeinsam", "commun", "compartido"],
     ["square to *", "", "senkrecht zu *", "perpendiculaire à *", "perpendicular a *"],

@@ -12,6 +12,8 @@ use crate::typeset::{as_markup, escaped, plain};
 const SCRIPT: usize = 12;
 /// Letters that stay of a name that is cut, before and after the cut.
 const KEPT: [usize; 2] = [6, 4];
+/// Letters of a name that has no room as it is, at least and at most: they are read as a sign, not a word.
+const BRIEF: [usize; 2] = [3, 4];
 
 /// A body's name, to be set in type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -84,6 +86,27 @@ impl<'n> Name<'n> {
     #[must_use]
     pub(crate) fn shortened(self) -> String {
         self.cut().map_or_else(|| self.primed(0), |cut| Name::words(&cut).primed(0))
+    }
+
+    /// The name as a term within a script, where it finds no room else: the letters that tell it from all of
+    /// the `others`, of its beginning or else of its end. None where it is hardly longer than that.
+    #[must_use]
+    pub(crate) fn brief(self, others: &[&str]) -> Option<String> {
+        let letters: Vec<char> = self.text.chars().collect();
+        let [least, most] = BRIEF;
+        if self.is_formula || self.is_symbol() || letters.len() < most + 2 {
+            return None;
+        }
+        let others = || others.iter().filter(|other| **other != self.text);
+        let head = |count: usize| letters[..count].iter().collect::<String>();
+        let tail = |count: usize| letters[letters.len() - count..].iter().collect::<String>();
+        let heads =
+            (least..=most).map(head).filter(|head| !others().any(|other| other.starts_with(head.as_str())));
+        let tails =
+            (least..=most).map(tail).filter(|tail| !others().any(|other| other.ends_with(tail.as_str())));
+        let ends = heads.map(|head| format!("{}…", head.trim_end()));
+        let brief = ends.chain(tails.map(|tail| format!("…{}", tail.trim_start()))).next()?;
+        Some(Name::words(&brief).term())
     }
 
     /// The letters of a long name without its middle; none of a short one.
@@ -161,6 +184,17 @@ mod tests {
         assert_eq!(Name::words("100%").point(1), r"p_{\text{100\%},1}");
         assert_eq!(Name::words("the left crate 12").shortened(), "the le…e 12");
         assert_eq!(["A", "bullet"].map(|name| Name::words(name).shortened()), ["$A$", "bullet"]);
+    }
+
+    #[test]
+    fn a_brief_name_is_that_of_no_other_body() {
+        let brief = |name: &'static str, other: &str| Name::words(name).brief(&[name, other]);
+        assert_eq!(brief("hammer", "anvil").as_deref(), Some(r"\text{ham…}"));
+        assert_eq!(brief("the hammer", "the anvil").as_deref(), Some(r"\text{…mer}"));
+        assert_eq!(brief("crate_11", "crane").as_deref(), Some(r"\text{crat…}"));
+        assert_eq!(brief("crate_11", "crate_12").as_deref(), Some(r"\text{…\_11}"));
+        assert_eq!(brief("crate 1 left", "crate 2 left"), None);
+        assert_eq!(brief("rock", "hero"), None, "short as it is");
     }
 
     #[test]

@@ -99,6 +99,7 @@ fn outer() -> Vec<Table> {
                 ("light", "output/page_colors.rs", "the colour scheme of a page"),
                 ("light", "figure/layer/projection.rs", "what falls on the bodies and casts their shadows"),
                 ("light", "figure/layer/axis_unit.rs", "what falls on the bodies and casts their shadows"),
+                ("light", "figure/language.rs", "the word for what falls on the bodies"),
                 ("dark", "output/page_colors.rs", "the colour scheme of a page"),
                 ("auto", "scene/fields.rs", "a height of the page"),
                 ("dark", "figure/theme/keys.rs", "the table of colours for readers whose system is dark"),

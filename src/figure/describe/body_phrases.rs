@@ -23,7 +23,7 @@ phrases! {
     /// Where a body is.
     AT: " at *", " bei *", " en *", " en *";
     /// By which angle a body is turned.
-    TURNED: ", turned by *", ", um * gedreht", ", tourné d’un angle de *", ", girado *";
+    TURNED: ", turned by *", ", um * gedreht", ", avec une rotation de *", ", con un giro de *";
     /// How a body moves from the start to the end.
     MOVING: ", moving by *", ", bewegt sich um *", ", se déplaçant de *", ", que se mueve *";
     /// How a body turns from the start to the end.

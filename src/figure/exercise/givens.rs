@@ -175,7 +175,7 @@ mod tests {
             ),
             (
                 "fr",
-                "A est un rectangle de 2 sur 0,5 en (0; 0), tourné d’un angle de 30°, se déplaçant de \
+                "A est un rectangle de 2 sur 0,5 en (0; 0), avec une rotation de 30°, se déplaçant de \
                     (2,5; 0). Le mouvement va de t = 0 à t = 1.",
             ),
             (
@@ -186,6 +186,14 @@ mod tests {
         ] {
             assert_eq!(given(&format!("lang = '{lang}'\n{moving}")), said);
         }
+    }
+
+    #[test]
+    fn what_is_said_of_a_turned_body_holds_for_every_kind_of_it() {
+        let capsule = "kind = 'capsule', points = [[0, 0], [2, 0]], radius = 1, angle_deg = 30";
+        let said = |lang: &str| given(&format!("lang = '{lang}'\nshapes.A = {{ {capsule} }}"));
+        assert!(said("fr").ends_with(", avec une rotation de 30°."), "{}", said("fr"));
+        assert!(said("es").ends_with(", con un giro de 30°."), "{}", said("es"));
     }
 
     #[test]

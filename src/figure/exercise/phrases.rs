@@ -27,8 +27,8 @@ phrases! {
     /// By which angle a body is turned whose cosine and sine are given.
     TURNED_BY_SINE: ", turned by the angle of cosine * and sine *",
         ", um den Winkel mit Kosinus * und Sinus * gedreht",
-        ", tourné de l’angle de cosinus * et de sinus *",
-        ", girado el ángulo de coseno * y seno *";
+        ", avec une rotation de l’angle de cosinus * et de sinus *",
+        ", con un giro del ángulo de coseno * y seno *";
     /// When the motion begins and ends.
     MOTION: "The motion runs from t = 0 to t = 1.",
         "Die Bewegung geht von t = 0 bis t = 1.",

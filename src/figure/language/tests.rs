@@ -56,3 +56,15 @@ fn every_title_of_a_default_picture_and_every_word_can_be_said_and_set() {
         }
     }
 }
+
+#[test]
+fn a_language_without_words_of_ours_has_no_english_ones() {
+    let czech = Language::of_tag("cs");
+    for english in ["dropped", "half a turn", "its normal", "light", r"slope $\theta$: every arc ends here"] {
+        assert_eq!(czech.lines("label", &[english.to_owned()]), Vec::<String>::new(), "{english}");
+    }
+    assert_eq!(czech.lines("dropped", &["$w_{0}$ dropped".to_owned()]), ["$w_{0}$"]);
+    for english in ["$n$ (not to scale)", "expected $n$ (not to scale)"] {
+        assert_eq!(czech.lines("n", &[english.to_owned()]), ["$n$"]);
+    }
+}

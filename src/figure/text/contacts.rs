@@ -28,7 +28,8 @@ pub(super) fn shallower(context: &Context) -> Option<Quantity> {
     Some(Quantity::within(shallower.bounds).negated())
 }
 
-/// What `pick` takes of the points of A and B where the contact is deepest; `None` where two are as deep.
+/// What `pick` takes of the points of A and B where the contact is deepest, as the panel shows them; `None`
+/// where two are as deep.
 pub(super) fn deepest(context: &Context, pick: fn([DVec2; 2]) -> f64) -> Option<Quantity> {
     let deepest = match points(context)?[..] {
         [one] => one,
@@ -36,7 +37,7 @@ pub(super) fn deepest(context: &Context, pick: fn([DVec2; 2]) -> f64) -> Option<
         [p, q] if q.bounds.hi < p.bounds.lo => q,
         _ => return None,
     };
-    Some(Quantity::exactly(pick(deepest.points)))
+    Some(Quantity::exactly(pick(deepest.points.map(|p| context.in_space(p)))))
 }
 
 #[cfg(test)]
@@ -71,5 +72,22 @@ mod tests {
         let vertex = values("kind = 'polygon', vertices = [[0, 0.5], [2, 2], [-2, 2]]");
         assert_eq!((vertex[0], vertex[1]), (Some(1.0), None));
         assert_eq!(values("kind = 'circle', radius = 1, position = [0, 9]"), [None; 6]);
+    }
+
+    #[test]
+    fn in_the_panel_of_a_body_the_deepest_point_is_where_its_frame_has_it() {
+        let text =
+            "shapes.floor = { kind = 'box', half_extents = [5, 1], position = [10, 20], angle_deg = 90 }
+            shapes.B = { kind = 'circle', radius = 1, position = [8.5, 22] }
+            query = { kind = 'contact', of = ['floor', 'B'] }
+            panels = [{ layers = ['shapes'] }, { space = 'body', frame = 'floor', layers = ['shapes'] }]";
+        let scene = open_text("s.toml", text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        for (panel, expected) in plan.panels.iter().zip([[9.0, 22.0, 9.5, 22.0], [2.0, 1.0, 2.0, 0.5]]) {
+            let context = panel.context(&scene, &plan.runs);
+            let names = ["contact.a.x", "contact.a.y", "contact.b.x", "contact.b.y"];
+            let found = names.map(|name| value_of(name, &context).unwrap().lo);
+            assert!(found.iter().zip(expected).all(|(x, y)| (x - y).abs() < 1e-12), "{found:?}");
+        }
     }
 }

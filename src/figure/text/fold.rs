@@ -44,16 +44,24 @@ pub(super) fn folds(line: &Line, style: Style) -> Vec<Fold> {
 }
 
 /// The way to set a sum and its result, as `d $= a - b = c$`, or a long product and its value, on two lines:
-/// the last equals sign begins the second one. None where there is no such formula, or the line is short.
+/// the last equals sign begins the second one. A letter stays with its value, and what words stand before it
+/// are the first line. None where there is no such formula, or the line is short.
 pub(super) fn chain(set: &Line, style: Style) -> Option<Fold> {
     let (sum, result) = set.markup.rsplit_once(" = ")?;
     let first = before_the_cut(set, style, sum)?;
+    let (words, formula) = sum.rsplit_once('$')?;
+    let set_apart = |markup: &str| line(markup, style).ok();
     // What has no equals sign before is one letter mostly, which is no line; with a script it is.
-    let has_script = || first.width >= SCRIPTED * style.size;
-    let formula = sum.rsplit_once('$')?.1;
+    let has_script =
+        || set_apart(&format!("${formula}$")).is_some_and(|set| set.width >= SCRIPTED * style.size);
     let is_chain = formula.contains('=') || !formula.is_empty() && has_script();
-    let result = line(&format!("$= {result}"), style).ok().filter(|_| is_chain)?;
-    Some(Fold { lines: vec![first, result], cut: Cut::InSum })
+    let lines = if is_chain {
+        vec![first, set_apart(&format!("$= {result}"))?]
+    } else {
+        let words = Some(words.trim_end()).filter(|words| !words.is_empty() && !formula.is_empty())?;
+        vec![set_apart(words)?, set_apart(&format!("${formula} = {result}"))?]
+    };
+    Some(Fold { lines, cut: Cut::InSum })
 }
 
 /// The way to set the difference of two points with long names, as `$b - a$`, on two lines: the minus sign
@@ -64,6 +72,19 @@ pub(super) fn difference(set: &Line, style: Style) -> Option<Fold> {
     // The empty group before the sign: it is one between two terms.
     let second = line(&format!("${{}} - {from}"), style).ok()?;
     Some(Fold { lines: vec![first, second], cut: Cut::InSum })
+}
+
+/// The ways to set a formula whose scripts have long names, with a few letters of those: each of `names` with
+/// its script and what stands for that. None where it has no such script.
+pub(super) fn in_names(set: &Line, style: Style, names: &[(String, String)]) -> Vec<Fold> {
+    let mut markup = set.markup.clone();
+    for (script, brief) in names {
+        markup = markup.replace(&format!("_{{{script}"), &format!("_{{{brief}"));
+    }
+    let Some(whole) = line(&markup, style).ok().filter(|_| markup != set.markup) else { return Vec::new() };
+    let mut ways = vec![vec![Arc::clone(&whole)]];
+    ways.extend(chain(&whole, style).map(|fold| fold.lines));
+    ways.into_iter().map(|lines| Fold { lines, cut: Cut::InNames }).collect()
 }
 
 /// The first line of a formula that ends the text and is cut in two; none where the cut is not in such a
@@ -156,6 +177,8 @@ mod tests {
         let product = r"$r_{\text{crate}}|\omega_{\text{crate}}| = 3.28$";
         assert_eq!(lines(product).unwrap(), [r"$r_{\text{crate}}|\omega_{\text{crate}}|$", "$= 3.28$"]);
         assert_eq!(lines(r"$x_{\min} = -123.5$").unwrap(), [r"$x_{\min}$", "$= -123.5$"]);
+        let letter = lines("depth $d = 0.141$").unwrap();
+        assert_eq!(letter, ["depth", "$d = 0.141$"], "a letter stays with its value");
         for whole in [
             "overlap $= 3.712345678$",
             "$d = 123456789$",
@@ -164,6 +187,18 @@ mod tests {
         ] {
             assert_eq!(lines(whole), None, "{whole}");
         }
+    }
+
+    #[test]
+    fn a_formula_may_have_a_few_letters_of_the_names_in_its_scripts() {
+        let style = Style::regular(14.0);
+        let names = [(r"\text{crate}".to_owned(), r"\text{cr…}".to_owned())];
+        let product = typeset(r"$r_{\text{crate}}|\omega_{\text{crate}}| = 3.28$", style).unwrap();
+        let [whole, in_two] = &in_names(&product, style, &names)[..] else { panic!("two ways") };
+        assert_eq!(whole.lines[0].markup, r"$r_{\text{cr…}}|\omega_{\text{cr…}}| = 3.28$");
+        assert_eq!(in_two.lines.len(), 2);
+        let words = typeset("the crate", style).unwrap();
+        assert!(in_names(&words, style, &names).is_empty(), "a name by itself stays whole");
     }
 
     #[test]

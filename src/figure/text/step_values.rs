@@ -1,4 +1,4 @@
-//! What a step of an advancement says of itself, for the values that text may name.
+//! What a step of an advancement says of itself, and how many there are, for the values that text may name.
 
 use crate::figure::context::Context;
 use crate::trace::Event;
@@ -51,4 +51,15 @@ fn at(
     pick: fn(&Step) -> Option<f64>,
 ) -> Option<Quantity> {
     pick(&steps.nth(number.checked_sub(1)?)?).map(Quantity::exactly)
+}
+
+/// The number of the last step, from 1.
+pub(super) fn last_step(context: &Context) -> Option<Quantity> {
+    Some(context.steps().len()).filter(|&last| last > 0).map(|last| Quantity::exactly(count(last)))
+}
+
+/// A count as a number.
+#[expect(clippy::cast_precision_loss, reason = "a step cap is far below 2^53")]
+pub(super) fn count(n: usize) -> f64 {
+    n as f64
 }

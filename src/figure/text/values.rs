@@ -10,7 +10,7 @@ use super::boxes::{angle_of_the_box, bounds, half, half_extents, middle};
 use super::contacts::{self, deepest};
 use super::directions::{d, hit_normal, normal, penetration};
 use super::quantity::Quantity;
-use super::step_values::{of_step, of_step_or_first};
+use super::step_values::{count, last_step, of_step, of_step_or_first};
 
 /// A value that text may name.
 pub(crate) struct Value {
@@ -145,12 +145,12 @@ pub(crate) static VALUES: &[Value] = &[
     Value { name: "D", about: "length of D = B − B_c", of: |c| d(c, DVec2::length) },
     Value {
         name: "D.x",
-        about: "x of D: B − B_c in the panel's frame, or the gap of two AABBs",
+        about: "x of D: B − B_c in the panel's frame, or the gap of two AABBs in the world's",
         of: |c| d(c, |d| d.x),
     },
     Value {
         name: "D.y",
-        about: "y of D: B − B_c in the panel's frame, or the gap of two AABBs",
+        about: "y of D: B − B_c in the panel's frame, or the gap of two AABBs in the world's",
         of: |c| d(c, |d| d.y),
     },
     told!(
@@ -179,10 +179,26 @@ pub(crate) static VALUES: &[Value] = &[
     Value { name: "halves.b.y", about: "the second AABB's half-extent in y", of: |c| half(c, |[_, b]| b.y) },
     Value { name: "contacts", about: "how many points the contact has", of: contacts::count },
     Value { name: "shallow", about: "depth at the shallower of two contacts", of: contacts::shallower },
-    Value { name: "contact.a.x", about: "x of A's deepest contact", of: |c| deepest(c, |[a, _]| a.x) },
-    Value { name: "contact.a.y", about: "y of A's deepest contact", of: |c| deepest(c, |[a, _]| a.y) },
-    Value { name: "contact.b.x", about: "x of B's deepest contact", of: |c| deepest(c, |[_, b]| b.x) },
-    Value { name: "contact.b.y", about: "y of B's deepest contact", of: |c| deepest(c, |[_, b]| b.y) },
+    Value {
+        name: "contact.a.x",
+        about: "x of A's deepest contact, in the panel's frame",
+        of: |c| deepest(c, |[a, _]| a.x),
+    },
+    Value {
+        name: "contact.a.y",
+        about: "y of A's deepest contact, in the panel's frame",
+        of: |c| deepest(c, |[a, _]| a.y),
+    },
+    Value {
+        name: "contact.b.x",
+        about: "x of B's deepest contact, in the panel's frame",
+        of: |c| deepest(c, |[_, b]| b.x),
+    },
+    Value {
+        name: "contact.b.y",
+        about: "y of B's deepest contact, in the panel's frame",
+        of: |c| deepest(c, |[_, b]| b.y),
+    },
     told!("theta", "angle turned, degrees", Event::MotionBounded { theta, .. } => theta.to_degrees()),
     told!("theta.rad", "angle turned, radians", Event::MotionBounded { theta, .. } => *theta),
     told!(
@@ -298,17 +314,6 @@ fn tolerance(context: &Context) -> Option<Quantity> {
         }
         _ => None,
     }
-}
-
-/// The number of the last step, from 1.
-fn last_step(context: &Context) -> Option<Quantity> {
-    Some(context.steps().len()).filter(|&last| last > 0).map(|last| Quantity::exactly(count(last)))
-}
-
-/// A count as a number.
-#[expect(clippy::cast_precision_loss, reason = "a step cap is far below 2^53")]
-fn count(n: usize) -> f64 {
-    n as f64
 }
 
 #[cfg(test)]

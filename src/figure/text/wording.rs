@@ -7,15 +7,17 @@ use crate::figure::context::Context;
 use crate::figure::fault::{Fault, Problem};
 use crate::figure::language::Language;
 use crate::figure::lettering::{role_words, unknown, with_markers};
+use crate::figure::name::Name;
 use crate::figure::placement::{Fold, Reserve, Sought};
 use crate::figure::sketch::{Anchor, Label, Rank, Request, Size};
 use crate::figure::standing::standing;
+use crate::geometry::Side;
 use crate::scene;
 use crate::typeset::{self, Line, Style, TypesetError};
 
 use super::decimal::Decimal;
 use super::fill::fill;
-use super::fold::{chain, difference, folds, wordy};
+use super::fold::{chain, difference, folds, in_names, wordy};
 use super::letters::letters;
 use super::overrides::{IsKey, overridden};
 
@@ -82,7 +84,12 @@ impl Wording<'_> {
             typeset::line(&filled, style).map_err(|e| of_label(e, filled.clone()))
         };
         let lines = lines.iter().map(&mut set).collect::<Result<Vec<_>, _>>()?;
-        let folds = if let [line] = &lines[..] { folds_of(label, line, style) } else { Vec::new() };
+        let mut folds = if let [line] = &lines[..] { folds_of(label, line, style) } else { Vec::new() };
+        if let [line] = &lines[..]
+            && !is_given
+        {
+            folds.extend(in_names(line, style, &briefs(self.context)));
+        }
         Ok(Some(Sought {
             key: label.key,
             lines,
@@ -94,6 +101,7 @@ impl Wording<'_> {
             pin: given.and_then(|(_, o)| o.at.as_ref()).map(|at| at.value),
             loose: false,
             room: Reserve::default(),
+            shown: request.shown,
             span: given.map_or_else(|| origin.clone(), |(key, _)| key.span.clone()),
         }))
     }
@@ -119,6 +127,15 @@ pub(crate) fn check_texts<'r>(
         }
     }
     Ok(())
+}
+
+/// The scripts of the asked bodies with long names, each with a few letters that stand for it.
+fn briefs(context: &Context) -> Vec<(String, String)> {
+    let names = Side::BOTH.map(|side| context.named(side));
+    let shown = names.map(Name::in_words);
+    let all = context.scene.shapes.iter().map(|(name, _)| name.value.as_str());
+    let all: Vec<&str> = all.chain(shown.iter().map(String::as_str)).collect();
+    names.iter().filter_map(|name| Some((name.script(), name.brief(&all)?))).collect()
 }
 
 /// The ways to set the one line of a label on several, by what it is.
