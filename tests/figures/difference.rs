@@ -3,7 +3,7 @@
 use tracefig::drawing::Path;
 use tracefig::drawing::Role::{self, A, B, Difference, Ink, Muted, Now, Translation};
 
-use super::seen::Look;
+use super::seen::{Look, dotted};
 use super::{figure, look};
 
 type P = (f64, f64);
@@ -17,11 +17,6 @@ fn edges_wear_their_source(panel: &Look, edges: &[(P, Role)]) {
         let edge = panel.edge(source, from, to);
         assert!(edge.is_some_and(|e| !dashed(e)), "edge {i} from {from:?} to {to:?} of {source:?}");
     }
-}
-
-/// Whether a line is dotted or dashed, and nothing is filled.
-fn dotted(path: &Path) -> bool {
-    path.stroke.as_ref().is_some_and(|s| !s.dash.is_empty()) && path.fill.is_none()
 }
 
 #[test]
@@ -136,7 +131,7 @@ fn demo_polygons_shows_the_way_out_to_the_nearest_edge() {
     shows![
         world.polygon(A, &[(2.4, 0.8), (-2.0, 1.25), (-3.25, -1.5), (-0.25, -3.5)]).is_some(),
         world.polygon(B, &[(-1.25, 1.5), (1.75, -2.5), (4.5, 3.0)]).is_some(),
-        world.polygon(B, &[(0.75, 3.0), (3.75, -1.0), (6.5, 4.5)]).is_some_and(|p| p.fill.is_none()),
+        world.polygon(B, &[(0.75, 3.0), (3.75, -1.0), (6.5, 4.5)]).is_some_and(dotted),
         world.arrow(Translation, (0.4, -0.7), (2.4, 0.8)),
         f.says("$B$ pushed out"),
     ];

@@ -7,7 +7,7 @@ use tracefig::drawing::{Cap, Contour, Item, Offset, Path, Point, Role, Segment};
 use tracefig::figure::{Figure, draw, plan, theme};
 use tracefig::geometry::DVec2;
 
-use super::seen::{distance, edges};
+use super::seen::{distance, dotted, edges};
 
 /// Every theme with colours of its own.
 const THEMES: [&str; 3] = ["light", "dark", "print"];
@@ -100,8 +100,8 @@ fn broken(items: &[Item], origins: &[Point]) -> Vec<String> {
         if !words.iter().any(says) {
             wrong.push(format!("dotted outlines, and no label says when or where: {words:?}"));
         }
-        if all.iter().any(|p| is_dotted(p) && p.fill.is_some()) {
-            wrong.push("a dotted outline is filled".to_owned());
+        if all.iter().any(|p| is_dotted(p) && !dotted(p)) {
+            wrong.push("a dotted outline is filled as a body that is there".to_owned());
         }
     }
     let heads: Vec<(Point, Offset)> = all.iter().filter_map(|p| head(p)).collect();

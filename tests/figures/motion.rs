@@ -67,7 +67,7 @@ fn figure_5_moves_both_bodies_in_the_world_and_the_origin_alone_along_the_ray() 
 fn figure_6_steps_from_the_estimate_to_the_tangent_and_starts_again_there() {
     let f = figure("06-advancement");
     let one = look(&f, 0, [-0.9, -1.1, 8.5, 4.9]);
-    let two = look(&f, 1, [3.5, -0.65, 8.2, 2.35]);
+    let two = look(&f, 1, [3.6, -0.8, 8.3, 2.2]);
     for panel in [&one, &two] {
         shows![panel.circle(Difference, (8.0, 6.0), 6.25).is_some(), panel.head(Ink, (7.5, 0.0))];
         shows![panel.marker(Now, (6.25, 0.0))];

@@ -2,6 +2,7 @@
 
 use tracefig::drawing::Role::{A, B, Ink, Muted, Now, Translation};
 
+use super::seen::dotted;
 use super::{Look, figure, look};
 
 /// 3/5 and 4/5: the box of `circle-obb` is turned by atan 4/3.
@@ -22,7 +23,7 @@ fn figure_1_shows_the_depth_the_normal_and_b_pushed_out() {
     shows![
         w.polygon(A, &a).is_some(),
         w.polygon(B, &b).is_some(),
-        ghost.is_some_and(|g| g.stroke.as_ref().is_some_and(|s| !s.dash.is_empty()) && g.fill.is_none()),
+        ghost.is_some_and(dotted),
         w.arrow(Translation, (1.6, 0.2), (3.2, 1.4)),
         // Halfway from the contact to the edge's far end.
         w.arrow(Ink, (2.225, 2.7), (3.025, 3.3)),
@@ -96,28 +97,28 @@ fn clamps(seen: &Look, v: (f64, f64), closest: (f64, f64)) -> bool {
 #[test]
 fn figure_3_shows_v_its_clamped_components_and_the_distance() {
     let f = figure("03-circle-box");
-    let w = look(&f, 0, [-3.3, -1.25, 3.95, 2.88]);
-    let closest = (2.5, 0.8);
+    let w = look(&f, 0, [-2.8, -1.25, 3.45, 2.88]);
+    let closest = (2.0, 0.8);
     shows![
-        w.polygon(A, &[(-2.5, -0.8), (2.5, -0.8), closest, (-2.5, 0.8)]).is_some(),
-        w.circle(B, (3.0, 2.0), 0.8).is_some(),
-        clamps(&w, (3.0, 2.0), closest),
-        w.any_line((3.0, 0.0), (3.0, 2.0)),
-        w.any_line((0.0, 2.0), (3.0, 2.0)),
+        w.polygon(A, &[(-2.0, -0.8), (2.0, -0.8), closest, (-2.0, 0.8)]).is_some(),
+        w.circle(B, (2.5, 2.0), 0.8).is_some(),
+        clamps(&w, (2.5, 2.0), closest),
+        w.any_line((2.5, 0.0), (2.5, 2.0)),
+        w.any_line((0.0, 2.0), (2.5, 2.0)),
         w.text_near("$B_c$", closest, 40.0),
-        f.says("$V = (3, 2)$") && f.says("$V_x = 3$") && f.says("$V_y = 2$"),
+        f.says("$V = (2.5, 2)$") && f.says("$V_x = 2.5$") && f.says("$V_y = 2$"),
         f.says("cut to $h_x$") && f.says("cut to $h_y$"),
-        f.says("$h_x = 2.5$") && f.says("$h_y = 0.8$"),
+        f.says("$h_x = 2$") && f.says("$h_y = 0.8$"),
         f.says("$D$"),
         f.says("$r = 0.8$"),
         f.says("$0.5$"),
     ];
     // The part of D, (0.5, 1.2), that the circle leaves, 1.3 - 0.8, is thick; the radius goes another way.
-    let rim = (2.5 + 0.25 / 1.3, 0.8 + 0.6 / 1.3);
+    let rim = (2.0 + 0.25 / 1.3, 0.8 + 0.6 / 1.3);
     let out = 0.8 * std::f64::consts::FRAC_1_SQRT_2;
     shows![
         w.line(Translation, closest, rim).is_some_and(thick),
-        w.line(B, (3.0, 2.0), (3.0 + out, 2.0 + out)).is_some(),
+        w.line(B, (2.5, 2.0), (2.5 + out, 2.0 + out)).is_some(),
     ];
 }
 
@@ -161,7 +162,7 @@ const CIRCLES: [[f64; 4]; 2] = [[-3.45, -7.4, 9.45, 4.4], [-3.45, -7.4, 12.185, 
 #[test]
 fn box_box_lays_out_half_extents_gaps_and_centre_distance_axis_by_axis() {
     let f = figure("box-box");
-    let w = look(&f, 0, [-6.55, -5.5, 12.5, 3.8]);
+    let w = look(&f, 0, [-6.55, -5.5, 12.9, 3.8]);
     shows![
         w.polygon(A, &[(-6.25, -0.5), (-0.25, -0.5), (-0.25, 3.5), (-6.25, 3.5)]).is_some(),
         w.polygon(B, &[(1.75, -3.5), (6.75, -3.5), (6.75, 0.5), (1.75, 0.5)]).is_some(),
@@ -174,6 +175,8 @@ fn box_box_lays_out_half_extents_gaps_and_centre_distance_axis_by_axis() {
         w.vertical(A, -0.5, 1.5),
         w.vertical(B, -1.5, 0.5),
         w.vertical(Ink, -1.5, 1.5),
+        // What they share of y has a bar of its own.
+        w.vertical(Muted, -0.5, 0.5),
         f.says("$h_{A,x} = 3$") && f.says("$h_{B,x} = 2.5$"),
         f.says("$h_{A,y} = 2$") && f.says("$h_{B,y} = 2$"),
         f.says("$D_x = 2$") && f.says("$D_y = -1$"),
@@ -245,8 +248,7 @@ fn frames_discrete_finds_the_overlap_late_and_with_a_longer_step_never() {
     let f = figure("frames-discrete");
     let late = look(&f, 0, [-5.52, -2.12, 1.441, 2.12]);
     let never = look(&f, 1, [-5.55, -2.12, 5.13, 2.12]);
-    let solid = |panel: &super::seen::Look, at| panel.circle(A, at, 1.0).is_some_and(|p| p.fill.is_some());
-    let dotted = |panel: &super::seen::Look, at| panel.circle(A, at, 1.0).is_some_and(|p| p.fill.is_none());
+    let solid = |panel: &super::seen::Look, at| panel.circle(A, at, 1.0).is_some_and(|p| !dotted(p));
     // The wall's long edges lie on 24x + 7y = ±15. Along (24, 7)/25, the rim of A touches the one at t = 0.3,
     // is 1.48 beyond it at 0.5, and has left the other 1.98 behind at 1.
     let (start, middle, end) = ((-4.2125, 0.8), (-0.2125, 0.3), (3.7875, -0.2));
@@ -258,7 +260,8 @@ fn frames_discrete_finds_the_overlap_late_and_with_a_longer_step_never() {
         // The way begins in a dot; so does the touch that no test saw, at A's point nearest to B's line.
         late.marker(A, start) && never.marker(A, start),
         never.marker(Ink, (-0.8525, 0.78)) && never.text_near("$p$", (-0.8525, 0.78), 40.0),
-        solid(&never, start) && solid(&never, end) && dotted(&never, (-1.8125, 0.5)),
+        solid(&never, start) && solid(&never, end),
+        never.circle(A, (-1.8125, 0.5), 1.0).is_some_and(dotted),
         f.texts.iter().filter(|(t, _)| t == "$A$ at $t = 0$").count() == 2,
         f.says("$A$ at $t = 0.5$") && f.says("$A$ at $t = 1$"),
         f.says("first touch, $t = 0.3$:") && f.says("not tested"),
@@ -266,10 +269,6 @@ fn frames_discrete_finds_the_overlap_late_and_with_a_longer_step_never() {
     let unit =
         |l: &super::seen::Look| super::seen::distance(l.panel.page((0.0, 0.0)), l.panel.page((1.0, 0.0)));
     assert!((unit(&late) - unit(&never)).abs() < 0.01, "{} and {}", unit(&late), unit(&never));
-}
-
-fn dotted(path: &tracefig::drawing::Path) -> bool {
-    path.stroke.as_ref().is_some_and(|s| !s.dash.is_empty()) && path.fill.is_none()
 }
 
 fn thick(path: &tracefig::drawing::Path) -> bool {

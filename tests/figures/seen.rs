@@ -373,3 +373,12 @@ impl Look<'_> {
             .collect()
     }
 }
+
+/// The most that a dotted outline is filled: less than two thirds of a body in the theme that fills least.
+const GHOST: f64 = 0.065;
+
+/// Whether a line is dotted or dashed, and what it is around is not filled as a body that is there.
+pub(crate) fn dotted(path: &Path) -> bool {
+    let is_faint = path.fill.as_ref().is_none_or(|fill| fill.opacity < GHOST);
+    path.stroke.as_ref().is_some_and(|s| !s.dash.is_empty()) && is_faint && path.pattern.is_none()
+}

@@ -2,9 +2,9 @@
 //! the right (y).
 //!
 //! Where D ≥ 0 one track holds `h_A` | D | `h_B` end to end. Where D < 0 the half-extents overlap: they lie
-//! on two lanes side by side. Either stretch is a strip across both boxes, which beyond the second lane
-//! holds the letter of a D < 0; beside an axis with a gap, one that overlaps decides nothing, and its strip
-//! is grey. The distance of the centres is the last.
+//! on two lanes side by side, and D on a third, thin. Either stretch is a strip across both boxes, which
+//! ends at the third lane; beside an axis with a gap, one that overlaps decides nothing, and its strip is
+//! grey. The distance of the centres is the last.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
@@ -30,7 +30,7 @@ const LIT: f64 = 0.13;
 
 /// Where the distance of the centres is measured to the right, as a part of the way to the first track:
 /// beyond the label of D where the half-extents overlap, else beyond theirs.
-const LAST: [f64; 2] = [5.0, 4.6];
+const LAST: [f64; 2] = [6.1, 4.6];
 
 pub(super) const LAYER: Layer = Layer {
     name: "axis-gaps",
@@ -83,8 +83,8 @@ struct Bar {
     ends: [f64; 2],
     /// How far from the boxes it lies, as a part of the way to the first track.
     track: f64,
-    /// How it is drawn; nothing for a D < 0, whose strip lies between the half-extents.
-    pen: Option<Pen>,
+    /// How it is drawn.
+    pen: Pen,
     /// The colour of its label.
     role: Role,
     /// Where the label stands.
@@ -202,9 +202,7 @@ fn axis(
     }
     for bar in bars {
         let [p, q] = bar.ends.map(|end| place.point(end, bar.track));
-        if let Some(pen) = bar.pen {
-            sketch.part(&part).bar(p, q, 0.0, pen);
-        }
+        sketch.part(&part).bar(p, q, 0.0, bar.pen);
         // A part of its own, as a label beyond a bar's end must not lie on the bar.
         sketch.part("label");
         let out = place.point(0.0, 1.0) - place.point(0.0, 0.0);
@@ -230,25 +228,19 @@ fn beside_body([from, to]: [f64; 2], body: Option<[f64; 2]>) -> Vec<[f64; 2]> {
     [[from, far.min(to)], [edge.max(from), to]].into_iter().filter(|[from, to]| from < to).collect()
 }
 
-/// Draws the strip between the edges that face each other, from the tracks to the far edge of the boxes: to
-/// the letter of D, if there is no track for it.
+/// Draws the strip between the edges that face each other, from the track of D to the far edge of the boxes.
 fn strip(sketch: &mut Sketch, (e, facing): (&Extents, [f64; 2]), place: &Place, across: [[f64; 2]; 2]) {
     let far = across.map(|[center, edge]| place.track(2.0 * center - edge));
     let far = far[0].min(far[1]);
-    let near = if e.gap < 0.0 { shared(e.name) } else { 1.0 };
+    let near = if e.gap < 0.0 { lane(e.name, 2.0) } else { 1.0 };
     let ends = [(facing[0], near), (facing[1], near), (facing[1], far), (facing[0], far)];
     let strip = Outline::polygon(&ends.map(|(along, track)| place.point(along, track)));
     sketch.part("lit").weight(Weight::Light).area(&strip, Some(Wash::faint(e.role, LIT)), None);
 }
 
-/// The track of the second lane, as a part of the way to the first.
-fn second(axis: char) -> f64 {
-    1.0 + LANE / if axis == 'x' { BELOW } else { BESIDE }
-}
-
-/// The track where the strip of a D < 0 ends, as a part of the way to the first.
-fn shared(axis: char) -> f64 {
-    if axis == 'x' { second(axis) + 1.0 } else { LAST[0] }
+/// The track of a lane, `n` lanes after the first, as a part of the way to the first track.
+fn lane(axis: char, n: f64) -> f64 {
+    1.0 + n * LANE / if axis == 'x' { BELOW } else { BESIDE }
 }
 
 /// `h_A`, D, `h_B` and the distance of the centres along one axis, each with its track.
@@ -269,17 +261,17 @@ fn bars(context: &Context, options: &Options, e: Extents) -> Vec<Bar> {
     let symbols = [h, format!("D_{name}"), k, format!("|{d} - {c}|_{name}")];
     let lengths = [e.half[0], e.gap, e.half[1], (b - a).abs()];
     let ends = [[a, facing[0]], facing, [facing[1], b], [a, b]];
-    let second = second(name);
+    let [second, third] = [1.0, 2.0].map(|n| lane(name, n));
     // Beside the stretch that they share stands D, so each half-extent is named beside the rest of it.
     let own = [Part([a, facing[1]]), Part([facing[0], b])];
     let (tracks, places) = match (e.gap < 0.0, name) {
-        (true, 'x') => ([1.0, second, second, second + 1.0], [First, Outward, Last, Outward]),
-        (true, _) => ([1.0, second, second, LAST[0]], [own[0], Outward, own[1], Outward]),
+        (true, 'x') => ([1.0, third, second, third + 1.0], [First, Outward, Last, Outward]),
+        (true, _) => ([1.0, third, second, LAST[0]], [own[0], Outward, own[1], Outward]),
         (false, 'x') => ([1.0, 1.0, 1.0, 2.0], [Inward, Inward, Inward, Outward]),
         (false, _) => ([1.0, 1.0, 1.0, LAST[1]], [Outward; 4]),
     };
-    let between = (e.gap >= 0.0).then(|| Pen::highlighted(e.role));
-    let pens = [Some(half[0]), between, Some(half[1]), Some(Pen::dimension(Role::Ink))];
+    let between = if e.gap < 0.0 { Pen::dimension(e.role) } else { Pen::highlighted(e.role) };
+    let pens = [half[0], between, half[1], Pen::dimension(Role::Ink)];
     let roles = [half[0].role, e.role, half[1].role, Role::Ink];
     let rounding = context.scene.query_at(context.time).rounding();
     // What the half-extents leave of the distance of the centres is D.
@@ -330,9 +322,10 @@ mod tests {
             whole.filter(|p| p.len() == 2 && (p[1] - p[0]).length() > 9.0).map(|p| [p[0], p[1]]).collect()
         };
         let level: Vec<[Point; 2]> = bars("axis-x").into_iter().filter(|[p, q]| p.y == q.y).collect();
-        // Both half-extents on lanes of their own, then the distance of the centres.
+        // Half of A, what is shared and half of B on lanes of their own, then the distance of the centres.
         let lanes: Vec<f64> = level.iter().map(|[p, _]| (p.y - level[0][0].y) / LANE).collect();
-        assert!(level.len() == 3 && (lanes[1] - 1.0).abs() < 1e-9 && lanes[2] > 2.0, "{lanes:?}");
+        assert!(lanes.len() == 4 && lanes[3] > 3.0, "{lanes:?}");
+        assert!((lanes[1] - 2.0).abs() < 1e-9 && (lanes[2] - 1.0).abs() < 1e-9, "{lanes:?}");
         let frame = &figure.panels[0].frame;
         // Along y they are apart: from A's top, 1, to B's bottom, 2, over the width of both. What they share
         // of x decides nothing, and its strip is over both all the same.

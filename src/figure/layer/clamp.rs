@@ -95,12 +95,15 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
     // Both in the frame of the panel, so that D is V less what is kept of it in the world as well.
     let seen = |v: DVec2| context.in_space(v) - context.in_space(DVec2::ZERO);
+    // In the frame of the box they are as the algorithm has them: what was not cut leaves nothing.
+    let is_own = context.frame().is_some_and(|frame| frame.rotation == c.pose.rotation);
+    let [v, d] = if is_own { [c.v, c.v - c.kept] } else { [seen(c.pose.vector(c.v)), seen(c.d)] };
     // V and D end at the circle's centre: their heads stop short of it, V's behind D's where they would meet.
     let behind = if shows("D") && heads_meet(c.v, c.d) { MARKER + HEAD_LENGTH } else { MARKER };
     if shows("V") {
         let (from, tip) = (c.pose.position, c.pose.point(c.v));
         sketch.since(at(parts::WAY)).part("V").arrow_to(from, tip, behind, Pen::vector(Role::Ink));
-        let text = valued("V", seen(c.pose.vector(c.v)), options);
+        let text = valued("V", v, options);
         sketch.label(Label::new("V", text, Anchor::middle(from, tip), Role::Ink));
     }
     if shows("D") {
@@ -111,7 +114,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
             MARKER,
             Pen::vector(Role::Translation),
         );
-        let text = valued("D", seen(c.d), options);
+        let text = valued("D", d, options);
         sketch.label(Label::new("D", text, Anchor::middle(from, tip), Role::Translation));
     }
     if shows("Bc") {

@@ -34,6 +34,10 @@ pub(super) const LAYER: Layer = Layer {
     draw,
 };
 
+/// By how much a line may be longer or shorter than the number beside it says, page pixels: the width of a
+/// line, which nobody sees. Digits that another engine cut off are less.
+const SEEN: f64 = 2.0;
+
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(theirs) = context.scene.query.expected else { return };
     let role = options.role(Role::Now);
@@ -63,7 +67,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
             normal(sketch, ours.points[0], *ours.normal, ("n", "$n$", Role::Translation));
         }
     }
-    let lines = if shown { Vec::new() } else { words(&theirs) };
+    let mut lines = if shown { Vec::new() } else { words(&theirs) };
+    lines.extend(contradiction(sketch, &theirs));
     if lines.is_empty() {
         return;
     }
@@ -121,6 +126,14 @@ fn words(theirs: &Expected) -> Vec<String> {
     separation_in_words(theirs).into_iter().chain(time).collect()
 }
 
+/// How far the points expected are apart, where that is not what is expected of the separation.
+fn contradiction(sketch: &Sketch, theirs: &Expected) -> Option<String> {
+    let (separation, [p, q]) = (theirs.separation?, theirs.points?);
+    let apart = p.distance(q);
+    let is_seen = sketch.on_page((apart - separation.abs()).abs()) > SEEN;
+    is_seen.then(|| format!("their points: ${}$", number(apart)))
+}
+
 /// The separation that is expected, as a line of a label.
 fn separation_in_words(theirs: &Expected) -> Option<String> {
     theirs.separation.map(|s| format!("expected $s = {}$", number(s)))
@@ -142,7 +155,7 @@ mod tests {
             )
         };
         let given =
-            "expected = { separation = 2.25, normal = [0, 1], points = { A = [1, 0.5], B = [3, 0] } }";
+            "expected = { separation = 2.25, normal = [0, 1], points = { A = [1, 0.5], B = [3.25, 0.5] } }";
         let scene = open_text("s.toml", &text(given)).unwrap().scene;
         let plan_of = plan(&scene).unwrap();
         let figure = draw(&plan_of, plan_of.theme, "s");
@@ -157,6 +170,27 @@ mod tests {
         assert!((label.bounds.center() - at).length() < 80.0, "it stands at the point that was expected");
         let silent = open_text("s.toml", &text("")).unwrap().scene;
         assert!(plan(&silent).is_err(), "nothing is expected");
+    }
+
+    #[test]
+    fn points_that_are_not_as_far_apart_as_was_said_say_so() {
+        for (separation, says) in
+            [("0.35", true), ("1.05", false), ("1.0499", false), ("-1.05", false), ("-0.35", true)]
+        {
+            let text = format!(
+                "shapes.A = {{ kind = 'circle', radius = 1 }}
+                shapes.B = {{ kind = 'circle', radius = 1, position = [4, 0] }}
+                panels = [{{ layers = ['shapes', 'expected'] }}]
+                [query]\nkind = 'separation'\nof = ['A', 'B']
+                expected = {{ separation = {separation}, points = {{ A = [1, 0.5], B = [2.05, 0.5] }} }}"
+            );
+            let scene = open_text("s.toml", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let figure = draw(&plan, plan.theme, "s");
+            let placed = figure.panels[0].placed.iter().flat_map(|label| &label.lines);
+            let said = placed.filter(|(_, line)| line.markup == "their points: $1.05$").count();
+            assert_eq!(said, usize::from(says), "{separation}");
+        }
     }
 
     #[test]

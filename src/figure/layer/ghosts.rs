@@ -27,7 +27,7 @@ const RIVAL: &str = "rival";
 const NOW: &str = "now";
 
 /// Opacity of a ghost's fill: enough to see that it is a body, too little to be taken for one that is there.
-const FAINT: f64 = 0.05;
+pub(super) const FAINT: f64 = 0.06;
 
 /// A body that is pushed by less is drawn where it was, page pixels: the width of its line. Its name would
 /// stand in, or beside, the body that is there.
@@ -76,7 +76,12 @@ pub(super) const LAYER: Layer = Layer {
             about: "when, or overlapping bodies \"separated\" by the minimum translation, or by the \
                 next local minimum, a longer push, \"now\" where they are, or at every step",
         },
-        OptionSpec { name: "fill", takes: Takes::Flag, default: "false", about: "a faint fill" },
+        OptionSpec {
+            name: "fill",
+            takes: Takes::Flag,
+            default: "true",
+            about: "a faint fill, unless `faint`",
+        },
         OptionSpec {
             name: "faint",
             takes: Takes::Flag,
@@ -284,7 +289,7 @@ fn look(options: &Options, role: Role) -> (Option<Wash>, Pen) {
         // What only might be is fainter than what is.
         let is_faint = options.flag("faint", options.word("at", When::HIT) == RIVAL);
         let opacity = if is_faint { SERIES[0] } else { 1.0 };
-        (options.flag("fill", false).then(|| Wash::faint(role, FAINT)), Pen::ghost(role).opacity(opacity))
+        (options.flag("fill", !is_faint).then(|| Wash::faint(role, FAINT)), Pen::ghost(role).opacity(opacity))
     }
 }
 

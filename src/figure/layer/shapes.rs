@@ -8,8 +8,8 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Outline, Pen, Rank, Size, Sketch, Wash, Weight};
 use crate::geometry::{DVec2, Side};
 
-use super::held;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
+use super::{ghosts, held};
 
 /// Opacity of the fill of context.
 const FAINT: f64 = 0.08;
@@ -133,7 +133,7 @@ fn bystanders(sketch: &mut Sketch, context: &Context, dotted: bool) {
         }
         let weight = if near { Weight::Light } else { Weight::Background };
         let (wash, pen) = if dotted {
-            (None, Pen::ghost(role))
+            (Some(Wash::faint(role, ghosts::FAINT)), Pen::ghost(role))
         } else {
             (Some(Wash::faint(role, FAINT)), Pen::outline(role).width(1.0))
         };

@@ -234,3 +234,22 @@ fn the_word_for_what_is_small_is_read_and_no_other() {
         ["`inset`: expected four numbers [x0, y0, x1, y1], or \"small\", got the text \"tiny\""]
     );
 }
+
+/// The default picture of the contact of two shapes.
+fn contact(a: &str, b: &str) -> Figure {
+    let text = format!(
+        "shapes.A = {{ kind = 'regular-polygon', {a} }}\nshapes.B = {{ kind = 'regular-polygon', {b} }}
+        query = {{ kind = 'contact', of = ['A', 'B'] }}"
+    );
+    let scene = open_text("contact", &text).unwrap().scene;
+    let plan = plan(&scene).unwrap();
+    draw(&plan, plan.theme, "contact")
+}
+
+#[test]
+fn contacts_that_lie_on_one_spot_are_enlarged() {
+    let b = "edges = 60, circumradius = 1.1, radius = 0.2, position = [1.9, 1.7], angle_deg = 2.5";
+    let figure = contact("edges = 200, circumradius = 2", b);
+    let named: Vec<_> = figure.insets.iter().flat_map(|inset| inset.placed.iter().map(|l| l.key)).collect();
+    assert!(named.contains(&"c_1") && named.contains(&"c_2"), "{named:?}");
+}

@@ -153,11 +153,11 @@ fn what_a_body_is_pushed_from_is_dotted_and_a_body_that_needs_no_push_is_there()
              query = {{ kind = 'separation', of = ['A', 'B'] }}
              panels = [{{ layers = [{{ layer = 'ghosts', of = 'B', at = 'now' }}] }}]"
         ));
-        let are_filled = |part| {
+        let are_solid = |part| {
             let paths = paths(&figure.drawing.items, part);
-            paths.iter().map(|path| path.fill.is_some()).collect::<Vec<_>>()
+            paths.iter().map(|path| path.stroke.as_ref().unwrap().dash.is_empty()).collect::<Vec<_>>()
         };
-        ["ghost-B", "body-B"].map(are_filled)
+        ["ghost-B", "body-B"].map(are_solid)
     };
     assert_eq!(drawn(1.5), [vec![false], vec![]]);
     assert_eq!(drawn(3.0), [vec![], vec![true]]);

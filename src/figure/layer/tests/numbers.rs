@@ -370,3 +370,17 @@ fn clamped_vectors_are_written_in_the_frame_of_their_panel() {
     let expected = [["$V = (-5, 6)$", "$D = (-3, 3)$"], ["$V = (6, 5)$", "$D = (3, 3)$"]];
     assert!(written.eq(expected.map(|pair| pair.map(str::to_owned))));
 }
+
+#[test]
+fn a_component_that_clamping_leaves_as_it_is_leaves_nothing_of_d() {
+    let text = "shapes.A = { kind = 'circle', radius = 0.5, position = [2.1, 1.4] }
+        shapes.B = { kind = 'box', half_extents = [1.2, 0.7], angle_deg = 30, position = [0.2, 0.1] }
+        query = { kind = 'separation', of = ['A', 'B'], algorithm = 'clamp' }
+        panels = [{ space = 'body', frame = 'B', layers = [{ layer = 'clamp', values = true }] }]";
+    let scene = crate::scene::open_text("s.toml", text).unwrap().scene;
+    let plan = plan(&scene).unwrap();
+    let panel = &plan.panels[0];
+    let labels = labels_of(panel.sketch(&panel.context(&scene, &plan.runs), plan.theme), panel);
+    let written = labels.iter().find(|label| label.1 == "D").unwrap().2.clone();
+    assert_eq!(written, "$D = (1.10, 0)$");
+}

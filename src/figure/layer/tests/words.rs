@@ -121,6 +121,9 @@ fn the_point_that_a_body_with_a_word_for_a_name_shrinks_to_is_its_origin() {
     assert_eq!(labels("Q", "en"), ["$q$", "$Q$ turned about $q$"]);
     assert_eq!(labels("rock", "en"), ["origin of rock", "rock turned about its origin"]);
     assert_eq!(labels("rock", "de"), ["Ursprung von rock", "rock um den eigenen Ursprung gedreht"]);
+    // A name may be of either gender: what is said of it has none.
+    assert_eq!(labels("rock", "fr"), ["origine de rock", "rock après rotation autour de son origine"]);
+    assert_eq!(labels("rock", "es"), ["origen de rock", "rock tras girar alrededor de su origen"]);
 }
 
 #[test]
