@@ -8,6 +8,7 @@ import { pathToFileURL } from "node:url";
 const SAID = 600; // Milliseconds until a page has said the result: it waits for 400 of rest.
 const AWAY = 1e6; // Page pixels, and units of the world, from where no figure is seen.
 const PHONE = 380; // CSS pixels.
+const DIGITS = 9; // More than a hand can set.
 
 const frame = (page) => page.evaluate(() => new Promise(requestAnimationFrame));
 const isLive = () =>
@@ -128,6 +129,9 @@ async function away(browser, file, fail, about) {
         const stopped = !values.split(",").includes(String(asked));
         if (asked !== undefined && stopped && !why) fail(about, `${how}, stops at ${values} and does not say why`);
         if (why && !said.includes(why)) fail(about, `${how}, shows "${why}" and says "${said}"`);
+        const given = before.values.split(",");
+        const long = values.split(",").find((v) => !given.includes(v) && v.replaceAll(/\D/g, "").length > DIGITS);
+        if (long) fail(about, `${how}, has ${long} in a field`);
     };
     await check("dragged away");
     await page.click(".numbers-of summary");

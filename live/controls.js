@@ -79,7 +79,7 @@ class Knob {
         const value = followed(from, [x + this.off[0], y + this.off[1]]);
         const step = event.altKey ? 0 : this.figure.snap(from);
         const clean = step ? snapped(value, step) : tidy(value, from);
-        this.figure.want(this.handle, within(clean, this.handle.range));
+        this.figure.want(this.handle, within(clean, this.handle));
     }
 
     release() {
@@ -95,7 +95,7 @@ class Knob {
         const { figure, handle } = this;
         if (event.key === "Home") figure.want(handle, figure.first.get(keyOf(handle)));
         else if (event.key === "Escape" && this.off) figure.want(handle, this.taken.value);
-        else if (way) figure.want(handle, within(this.stepped(way, event.shiftKey ? 0.2 : 1), handle.range));
+        else if (way) figure.want(handle, within(this.stepped(way, event.shiftKey ? 0.2 : 1), handle));
         else return;
         event.preventDefault();
         if (event.key === "Escape") this.release();
@@ -136,7 +136,7 @@ class Row {
             const numbers = this.fields.map((field) => field.valueAsNumber);
             if (!numbers.every(Number.isFinite)) return;
             const value = words.length > 1 ? numbers : numbers[0];
-            const asked = handle.grip === "time" ? within(value, handle.range) : value;
+            const asked = handle.grip === "time" ? within(value, handle) : value;
             figure.alive(() => figure.attempt(handle, asked));
             figure.settle();
         };

@@ -159,12 +159,13 @@ class Figure extends Edited {
         if (!this.engine.set(this.pairs(handle, value))) {
             why = this.engine.info.error;
             let [good, bad] = [0, 1];
+            reached = before;
             for (let i = 0; i < TRIES; i++) {
                 const middle = (good + bad) / 2;
-                if (this.engine.set(this.pairs(handle, between(before, value, middle)))) good = middle;
+                const there = short(between(before, value, middle), handle);
+                if (this.engine.set(this.pairs(handle, there))) [good, reached] = [middle, there];
                 else bad = middle;
             }
-            reached = between(before, value, good);
         }
         if (!this.draw()) return;
         this.root.toggleAttribute("data-untold", true); // What is said is of before.

@@ -102,6 +102,7 @@ const LONGEST_RUN = 1000;
  * The tables of `latex-rust`, which reads them line by line and skips empty ones: the first line, how the
  * last begins, and what a row of it is for us. Of a symbol nothing asks for the category and the
  * description; a colour in a formula is an error before a page is made, and 68 of them must be there.
+ * The notice before a table of which no row is left goes with it.
  */
 const TABLES = [
     {
@@ -111,6 +112,7 @@ const TABLES = [
     },
     {
         header: 'name\tc\tm\ty\tk\n',
+        notice: '# THIS FILE HAS BEEN MODIFIED. It is not the original dvipsnam.def',
         last: 'YellowOrange\t0\t0.42\t1\t0',
         row: () => ['', 0, 0, 0, 0],
     },
@@ -187,13 +189,15 @@ function without_powers(bytes) {
 
 /** Tables of texts as short as what reads them allows, and empty lines in the rest of their places. */
 function without_notes(bytes) {
-    for (const { header, last, row } of TABLES) {
+    for (const { header, last, row, notice } of TABLES) {
         const from = bytes.indexOf(header);
+        const start = notice === undefined ? from : bytes.lastIndexOf(notice, from);
+        if (start < 0) throw new Error(`no notice before ${header}`);
         const to = bytes.indexOf(last, from) + last.length;
         if (from < 0 || to < from + last.length) throw new Error(`no table of ${header}`);
         const rows = bytes.toString('utf8', from + header.length, to).split('\n').filter(Boolean);
         const short = header + rows.map((line) => row(line.split('\t')).join('\t')).join('\n');
-        bytes.fill('\n', from, to);
+        bytes.fill('\n', start, to);
         bytes.write(short, from);
     }
     return bytes;

@@ -1,6 +1,7 @@
 // The module that draws, and the picture on the page: of each new text of it only what differs is changed.
 
 let compiled; // The module, of all figures of a page.
+const [DECODER, ENCODER] = [new TextDecoder(), new TextEncoder()];
 function compile() {
     const inline = () => document.getElementById("tracefig-module").textContent.trim();
     const bytes = unpacked(globalThis.tracefigModule ?? inline());
@@ -43,12 +44,12 @@ class Engine {
     }
 
     read(start, length) {
-        return new TextDecoder().decode(new Uint8Array(this.x.memory.buffer, start, length));
+        return DECODER.decode(new Uint8Array(this.x.memory.buffer, start, length));
     }
 
     // Hands a text to a call; whether it was taken.
     tell(call, said) {
-        const bytes = new TextEncoder().encode(said);
+        const bytes = ENCODER.encode(said);
         const room = this.x.tf_input(bytes.length);
         new Uint8Array(this.x.memory.buffer, room, bytes.length).set(bytes);
         return this.x[call]() === 1;

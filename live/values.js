@@ -26,15 +26,28 @@ function stepOf(handle, snap) {
 }
 
 const each = (value, change) => (Array.isArray(value) ? value.map(change) : change(value));
-const snapped = (value, step) => each(value, (v) => Number((Math.round(v / step) * step).toPrecision(12)));
+const snapped = (value, step, round = Math.round) =>
+    each(value, (v) => Number((round(v / step) * step).toPrecision(12)));
 
-// A value without digits that no one can see: to a quarter of a pixel.
-const tidy = (value, handle) => snapped(value, 10 ** Math.floor(Math.log10(grainOf(handle) / 4)));
+// The last digit that anyone can see of a value: to a quarter of a pixel.
+const grid = (handle) => 10 ** Math.floor(Math.log10(grainOf(handle) / 4));
+const tidy = (value, handle) => snapped(value, grid(handle));
 
-const within = (value, [lo, hi]) =>
-    Array.isArray(value)
+// A value on the way to one that can't be, as it is written: what no handle can be pulled by has four digits.
+const short = (value, handle) =>
+    handle.pull ? tidy(value, handle) : each(value, (v) => Number(v.toPrecision(4)));
+
+// A value where a handle can be; at an end of that it has no more digits than elsewhere. A time ends at the
+// first contact, and not short of it.
+function within(value, handle) {
+    let [lo, hi] = handle.range;
+    if (handle.grip !== "time") {
+        [lo, hi] = [snapped(lo, grid(handle), Math.ceil), snapped(hi, grid(handle), Math.floor)];
+    }
+    return Array.isArray(value)
         ? value.map((v, i) => Math.min(Math.max(v, lo[i]), hi[i]))
         : Math.min(Math.max(value, lo), hi);
+}
 
 const between = (a, b, t) => (Array.isArray(a) ? a.map((x, i) => x + (b[i] - x) * t) : a + (b - a) * t);
 
