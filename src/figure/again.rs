@@ -5,6 +5,7 @@
 //! may be, and steps by thirds lead down to it. A minimum that is found is one; another may be missed.
 
 use std::f64::consts::TAU;
+use std::sync::OnceLock;
 
 use crate::collision::Pair;
 use crate::geometry::Body;
@@ -31,9 +32,21 @@ pub(crate) enum Nearest {
     Always,
 }
 
-/// How often the bodies of a scene are as near as at `time`, when their `distance` is least, in world units.
-/// Of bodies that do not turn it is one piece of time.
-pub(crate) fn nearest(scene: &Scene, time: f64, distance: f64) -> Nearest {
+/// How often the bodies of one run are as near as at their closest, found when it is first asked: every
+/// sentence about a miss asks it, which was half of what a frame of such a figure cost.
+#[derive(Debug, Default)]
+pub(crate) struct Often(OnceLock<Nearest>);
+
+impl Often {
+    /// How often the bodies of a scene are as near as at `time`, when their `distance` is least, in world
+    /// units: those of the run's closest approach. Of bodies that do not turn it is one piece of time.
+    pub(crate) fn of(&self, scene: &Scene, time: f64, distance: f64) -> Nearest {
+        *self.0.get_or_init(|| nearest(scene, time, distance))
+    }
+}
+
+/// [`Often::of`], found anew.
+fn nearest(scene: &Scene, time: f64, distance: f64) -> Nearest {
     let query = scene.query_at(time);
     let turned = |b: &&Body| query.a.spin.radians().abs() + b.spin.radians().abs();
     let Some(b) = query.b.filter(|b| turned(b) > 0.0 && turned(b) <= MOST_TURNED) else {

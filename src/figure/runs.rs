@@ -15,6 +15,7 @@ use crate::geometry::{Body, Enclosure, Feature, Side};
 use crate::scene::{Problem, Scene, Variant};
 use crate::trace::{Event, MOST_EVENTS, Trace, step};
 
+use super::again::Often;
 use super::called::Called;
 use super::cue::{Cue, Teller};
 use super::distances::Distances;
@@ -45,6 +46,8 @@ pub(crate) struct Run {
     teller: Teller,
     /// Which of the events the figure shows, by their place in the trace.
     shown: Mutex<BTreeSet<usize>>,
+    /// How often the bodies are as near as at their closest, of a miss.
+    pub(crate) often: Often,
 }
 
 impl Run {
@@ -61,7 +64,8 @@ impl Run {
             }
         };
         let (moments, algorithm, shown) = (Vec::new(), "", Mutex::default());
-        Self { kind, time, answer, trace: Trace::default(), moments, algorithm, teller: Teller::Own, shown }
+        let (trace, teller, often) = (Trace::default(), Teller::Own, Often::default());
+        Self { kind, time, answer, trace, moments, algorithm, teller, shown, often }
     }
 
     /// The separation that it answers with: that of the question, or the contact of a hit.
@@ -322,12 +326,11 @@ impl Runs {
         if contact {
             touch(&mut answer, query);
         }
-        let shown = Mutex::default();
+        let (shown, often) = (Mutex::default(), Often::default());
         let (algorithm, teller) = (algorithm.name, teller(scene, algorithm, query));
         let moments = moments(query.time, &trace, &answer);
-        let run =
-            Run { kind: query.kind, time: query.time, answer, trace, moments, algorithm, teller, shown };
-        let run = Arc::new(run);
+        let (kind, time) = (query.kind, query.time);
+        let run = Arc::new(Run { kind, time, answer, trace, moments, algorithm, teller, shown, often });
         done.push((key, Arc::clone(&run)));
         run
     }

@@ -9,6 +9,7 @@ use std::sync::{Mutex, PoisonError};
 
 use latex_rust::{BoxContent, Error, FontError, MathBox, MathStyle, ParseError};
 
+use super::digits;
 use super::face::{Loaded, UNITS_PER_EM, ems};
 use super::inner_words::{self, Taken};
 use super::line::{Face, Glyph, PlacedGlyph, Rule, TypesetError};
@@ -46,12 +47,22 @@ pub(super) fn set(latex: &str, offset: usize, size: f64) -> Result<Formula, Type
     if let Some(known) = FORMULAS.lock().unwrap_or_else(PoisonError::into_inner).get(&key) {
         return Ok(known.clone());
     }
+    if let Some(formula) = with_digits(latex, offset, size) {
+        return Ok(formula);
+    }
     let formula = set_new(latex, offset, size)?;
     let mut kept = FORMULAS.lock().unwrap_or_else(PoisonError::into_inner);
     if kept.len() < KEPT {
         kept.insert(key, formula.clone());
     }
     Ok(formula)
+}
+
+/// A formula whose digits alone are its own: of all that differ in them one is laid out and kept.
+fn with_digits(latex: &str, offset: usize, size: f64) -> Option<Formula> {
+    let (pattern, digits) = digits::apart(latex).filter(|(pattern, _)| pattern != latex)?;
+    let formula = digits::together(set(&pattern, offset, size).ok()?, &digits, size)?;
+    Some(Formula { text: plain::formula_in_words(latex), ..formula })
 }
 
 fn set_new(latex: &str, offset: usize, size: f64) -> Result<Formula, TypesetError> {
@@ -259,6 +270,25 @@ mod tests {
         assert_eq!(at("v_"), 1);
         assert_eq!(at(r"\color{red}x"), 0);
         assert_eq!(at(&"x".repeat(LONGEST + 1)), LONGEST);
+    }
+
+    #[test]
+    fn formulas_that_differ_in_digits_are_laid_out_alike() {
+        let patterns = ["d = 2.#1", r"w_# = (#, -#.#)", r"\ge #.#4", "x_1#", "#^2", "n' = #'", "v_{#} + ##"];
+        let others = [r"\frac12 + #", r"\text{at #} #", r"\left(#\right)", r"2\,# \omega_#", "# _ # #", "{#}#"];
+        for pattern in patterns.into_iter().chain(others) {
+            for digit in '0'..='9' {
+                for size in [11.0, 16.0] {
+                    let latex = pattern.replace('#', &digit.to_string());
+                    let (kept, new) = (set(&latex, 0, size).unwrap(), set_new(&latex, 0, size).unwrap());
+                    assert!(kept.glyphs == new.glyphs && kept.rules == new.rules, "{latex} at {size}");
+                    assert!(kept.width == new.width && kept.text == new.text, "{latex} at {size}");
+                }
+            }
+        }
+        let told = ["d = 2.51", "x_12", "7^2", r"\frac12"].map(digits::apart);
+        let zeros = told.map(|pattern| pattern.map(|(pattern, _)| pattern));
+        assert_eq!(zeros.map(|zeros| zeros.unwrap_or_default()), ["d = 0.00", "x_10", "", ""]);
     }
 
     #[test]

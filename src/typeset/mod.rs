@@ -12,6 +12,7 @@ mod accents;
 #[cfg(not(tracefig_page))]
 mod beyond;
 mod brought;
+mod digits;
 mod draft;
 mod face;
 mod formula;

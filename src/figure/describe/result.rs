@@ -1,7 +1,7 @@
 //! What came out, as a sentence.
 
 use crate::collision::{Answer, Contact, Impact, MotionBound, Outcome, Overlap, Pair, Reason, Separation};
-use crate::figure::again::{Nearest, nearest};
+use crate::figure::again::Nearest;
 use crate::figure::called::Called;
 use crate::figure::difference::Difference;
 use crate::figure::question::is_of_a_moment;
@@ -250,7 +250,7 @@ fn closest_in_words(told: &Account) -> String {
             let is_rounding = bounds.hi <= told.scene.query_at(at.time).rounding();
             let rounding = if is_rounding { speech.say(&BY_ROUNDING, &[]) } else { String::new() };
             let apart = speech.number(bounds.lo, bounds.hi);
-            let often = nearest(told.scene, at.time, bounds.hi);
+            let often = told.run.often.of(told.scene, at.time, bounds.hi);
             Some((at.time, apart, closing, span, rounding, often))
         }
         _ => None,

@@ -4,7 +4,7 @@
 //! origin's place on the ray to the nearest point of B ⊖ A.
 
 use crate::drawing::Role;
-use crate::figure::again::{Nearest, nearest};
+use crate::figure::again::Nearest;
 use crate::figure::context::{Approach, Context};
 use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, MARKER, Marker, Pen, Sketch};
 use crate::figure::text::{Quantity, number};
@@ -82,7 +82,7 @@ fn label((context, closest): (&Context, &Approach), anchor: Anchor, role: Role) 
     let rounding = context.scene.query_at(closest.time).rounding();
     let d = Quantity::exactly(closest.separation).equals(rounding);
     let mut lines = vec![format!("$d {d}$")];
-    let often = nearest(context.scene, closest.time, closest.bounds.hi);
+    let often = context.run().often.of(context.scene, closest.time, closest.bounds.hi);
     let is_moving = context.turns() || context.closing_velocity() != DVec2::ZERO;
     if is_moving && often != Nearest::Always {
         lines.push(format!("$t = {}$", number(closest.time)));
