@@ -159,9 +159,9 @@ fn another_caption_and_title_are_quoted() {
 fn another_theme_is_a_line_a_colour() {
     let lines = what_moved(svg_format(), &svg(SCENE), &drawn(SCENE, "dark").1);
     says(&lines, "page: colour of background #ffffff → #12161c");
-    says(&lines, "colour of a #a3161f → #ff6b57");
-    says(&lines, "fill opacity 0.14 → 0.2");
-    says(&lines, "label-A in panel-1: colour of a tint #ead8da → #462d2f");
+    says(&lines, "colour of a #bc0d2a → #ff6b57");
+    says(&lines, "fill opacity 0.18 → 0.2");
+    says(&lines, "label-A in panel-1: colour of a tint #eccdd4 → #462d2f");
     says(&lines, "style sheet");
 }
 
@@ -188,12 +188,12 @@ fn another_layer_is_new_and_gone() {
 fn a_colour_changed_by_hand_has_its_levels() {
     let new = svg(SCENE);
     // So little darker that no pixel's contrast passes one at which its levels of coverage become others.
-    let old = String::from_utf8(new.clone()).unwrap().replace("=\"#a3161f\"", "=\"#a0161f\"");
+    let old = String::from_utf8(new.clone()).unwrap().replace("=\"#bc0d2a\"", "=\"#b90d2a\"");
     let rendered = Rendered { format: svg_format(), bytes: &new, scale: 1.0 };
     let State::Changed(change) = compare(Some(old.as_bytes()), rendered) else { panic!("changed") };
     let drift = change.pixels().unwrap();
     assert_eq!((drift.worst, change.is_within(2), change.is_within(3)), (3, false, true));
-    says(&what_moved(svg_format(), old.as_bytes(), &new), "colour of a #a0161f → #a3161f");
+    says(&what_moved(svg_format(), old.as_bytes(), &new), "colour of a #b90d2a → #bc0d2a");
     assert!(triptych(svg_format(), old.as_bytes(), &new, 1.0).is_some());
 }
 

@@ -10,13 +10,16 @@ use super::theme::Theme;
 const RULE: f64 = 1.5;
 /// How much of the grid's colour a ground has: it is seen on white, and lines of the grid are seen on it.
 const TINT: f64 = 0.35;
-/// How far a ground reaches beyond its panel on the left and right, as a share of the gap between panels: a
-/// third is left between two.
-const ASIDE: f64 = 1.0 / 3.0;
-/// How far it reaches above and below, as a share of that: titles and captions stand there.
+/// How far a ground reaches above and below its panel, as a share of the gap between panels: titles and
+/// captions stand there. On the left and right it ends with its panel, where these begin.
 const ABOVE: f64 = 1.0 / 6.0;
 /// The radius of its corners, as a share of that gap: 6 px of 24.
 const CORNER: f64 = 0.25;
+
+/// Whether panels have grounds: those that are several, and one that has words about it.
+fn has_grounds(plan: &Plan) -> bool {
+    plan.page.cells.len() > 1 || plan.layout.head > 0
+}
 
 /// What tells the panels of a page apart; nothing where there is one.
 pub(super) fn grounds(plan: &Plan, theme: &Theme) -> Item {
@@ -24,7 +27,7 @@ pub(super) fn grounds(plan: &Plan, theme: &Theme) -> Item {
         return rules(plan, theme);
     }
     let mut group = Group::new("grounds");
-    for cell in plan.page.cells.iter().filter(|_| plan.page.cells.len() > 1) {
+    for cell in plan.page.cells.iter().filter(|_| has_grounds(plan)) {
         let paint = theme.paint(Role::Grid).with_opacity(TINT);
         group.items.push(Item::Path(Path::filled(ground(*cell, plan, theme).contour(), paint)));
     }
@@ -33,11 +36,11 @@ pub(super) fn grounds(plan: &Plan, theme: &Theme) -> Item {
 
 /// What a panel's drawing is cut off at: the edges of its ground, or its own where it has none.
 pub(super) fn ground(cell: Rect, plan: &Plan, theme: &Theme) -> Clip {
-    if plan.page.cells.len() < 2 || !theme.counts_on_color() {
+    if !has_grounds(plan) || !theme.counts_on_color() {
         return cell.into();
     }
-    let [aside, above, corner] = [ASIDE, ABOVE, CORNER].map(|share| share * plan.layout.measures.gap());
-    let rect = Rect { x0: cell.x0 - aside, y0: cell.y0 - above, x1: cell.x1 + aside, y1: cell.y1 + above };
+    let [above, corner] = [ABOVE, CORNER].map(|share| share * plan.layout.measures.gap());
+    let rect = Rect { y0: cell.y0 - above, y1: cell.y1 + above, ..cell };
     Clip::rounded(rect, corner)
 }
 
@@ -78,7 +81,7 @@ mod tests {
             for (item, panel) in group.items.iter().zip(&panels) {
                 let Item::Path(path) = item else { panic!("a path") };
                 let seen = path.contour.bounds().unwrap();
-                assert!(seen.x0 < panel.x0 && panel.x1 < seen.x1 && seen.y0 < panel.y0 && panel.y1 < seen.y1);
+                assert!(seen.x0 == panel.x0 && panel.x1 == seen.x1 && seen.y0 < panel.y0 && panel.y1 < seen.y1);
                 assert_eq!(panels.iter().filter(|other| seen.intersection(**other).is_some()).count(), 1);
             }
             assert!(first(1, name).0.items.is_empty());

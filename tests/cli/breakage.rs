@@ -132,10 +132,10 @@ const BREAKAGES: &[Breakage] = &[
     Breakage {
         name: "a colour changed by hand",
         done: |f| {
-            change(f, "s.svg", |b| String::from_utf8(b).unwrap().replace("#a3161f", "#a6161f").into_bytes());
+            change(f, "s.svg", |b| String::from_utf8(b).unwrap().replace("#bc0d2a", "#b60d2a").into_bytes());
         },
         code: 1,
-        says: &["changed   s.svg\n", "colour of a #a6161f → #a3161f", "in the changed area: body-A"],
+        says: &["changed   s.svg\n", "colour of a #b60d2a → #bc0d2a", "in the changed area: body-A"],
     },
     Breakage {
         name: "lines that end otherwise",

@@ -207,13 +207,13 @@ fn an_svg_is_compared_by_what_it_shows() {
     assert_eq!(run(&[&["render", "s.toml"][..], &svg].concat()).code, Some(0));
     let path = folder.path().join("s.svg");
     let text = fs::read_to_string(&path).unwrap();
-    let redder = text.replace("#a3161f", "#a6161f");
+    let redder = text.replace("#bc0d2a", "#b60d2a");
     assert_ne!(text, redder);
     fs::write(&path, redder).unwrap();
     let check = |more: &[&str]| run(&[&["check", "s.toml", "-o", "drift"][..], &svg, more].concat());
     let ran = check(&[]);
     assert_eq!(ran.code, Some(1));
-    assert!(ran.out.contains("colour of a #a6161f → #a3161f"), "{}", ran.out);
+    assert!(ran.out.contains("colour of a #b60d2a → #bc0d2a"), "{}", ran.out);
     assert!(ran.out.contains(", 8: 0, 16: 0"), "{}", ran.out);
     assert!(ran.out.contains("drift/s.svg.png: on disk · difference · now"), "{}", ran.out);
     assert!(folder.path().join("drift/s.svg.png").exists());

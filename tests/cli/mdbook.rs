@@ -246,7 +246,7 @@ fn a_book_that_is_built_again_has_the_same_figures_from_what_was_kept() {
     let text = fs::read_to_string(kept()).unwrap();
     assert_eq!(built().out, first.out);
     assert_eq!(fs::read_to_string(kept()).unwrap(), text);
-    fs::write(kept(), text.replace("#a3161f", "#a3161e").replace("#A3161F", "#A3161E")).unwrap();
+    fs::write(kept(), text.replace("#bc0d2a", "#bc0d2b").replace("#BC0D2A", "#BC0D2B")).unwrap();
     assert_ne!(built().out, first.out, "what was kept is taken");
     fs::write(folder.path().join("circles.toml"), CIRCLES.replace("radius = 2", "radius = 1.5")).unwrap();
     assert!(!built().out.contains("3161e") && !built().out.contains("3161E"), "another scene is drawn anew");
@@ -281,8 +281,8 @@ fn a_warning_is_told_by_every_build_of_the_place_where_the_scene_is_now() {
     let books = cache.path().join("tracefig/books");
     let kept = books.read_dir().unwrap().next().unwrap().unwrap().path();
     let text = fs::read_to_string(&kept).unwrap();
-    assert!(text.contains("warning[") && text.contains("#a3161f"));
-    fs::write(&kept, text.replace("#a3161f", "#a3161e")).unwrap();
+    assert!(text.contains("warning[") && text.contains("#bc0d2a"));
+    fs::write(&kept, text.replace("#bc0d2a", "#bc0d2b")).unwrap();
     let taken = built("A line.\n\n");
-    assert!(taken.out.contains("#a3161e") && taken.err == below.err);
+    assert!(taken.out.contains("#bc0d2b") && taken.err == below.err);
 }

@@ -56,7 +56,7 @@ fn a_figure_changed_by_hand_fails_the_check_and_is_shown() {
     let folder = copy();
     let svg = folder.path().join("figures/04-minkowski-difference.svg");
     let text = fs::read_to_string(&svg).unwrap();
-    fs::write(&svg, text.replacen("A3161F", "A3161E", 1).replacen("a3161f", "a3161e", 1)).unwrap();
+    fs::write(&svg, text.replacen("BC0D2A", "BC0D2B", 1).replacen("bc0d2a", "bc0d2b", 1)).unwrap();
     let output = check(folder.path());
     let said = String::from_utf8_lossy(&output.stdout).into_owned();
     assert_eq!(output.status.code(), Some(1), "{said}");

@@ -16,9 +16,6 @@ use crate::scene::COMPASS;
 use super::half_extents::GUIDE;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of, part};
 
-/// Opacity of what both radii have of the line of centres.
-const SHARED: f64 = 0.16;
-
 /// The least depth that both radii are seen to share, page pixels: their bars end in ticks as wide.
 const UNSEEN: f64 = 2.25;
 
@@ -254,9 +251,9 @@ fn lengths(sketch: &mut Sketch, context: &Context, touching: bool) {
         let track = |i: f64| down * (radii[0].max(radii[1]) + sketch.px(TRACK * (i + FIRST)));
         let [p, q] = answer.points;
         let strip = Outline::polygon(&[p + track(1.0), q + track(1.0), q + track(2.0), p + track(2.0)]);
-        let wash = Wash::faint(Role::Translation, SHARED);
+        let wash = Wash::faint(Role::Overlap, 1.0);
         sketch.part("shared").weight(Weight::Background).area(&strip, Some(wash), None);
-        let label = Label::new("shared", "shared", Anchor::inside(&strip), Role::Translation);
+        let label = Label::new("shared", "shared", Anchor::inside(&strip), Role::Ink);
         sketch.label(label.rank(Rank::Word).size(Size::Note));
     }
     for (i, length) in tracks.iter().enumerate() {

@@ -14,7 +14,7 @@ use crate::scene::When;
 use crate::trace::{Culling, Event};
 
 use super::held;
-use super::velocity::{label_of_hit, text, underlay};
+use super::velocity::{label_of_hit, text, until_hit};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
 
 pub(super) const LAYER: Layer = Layer {
@@ -98,14 +98,14 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         hit.filter(|_| options.word("cut", "") == When::HIT).map_or(1.0, |time| 1.0_f64.min(PAST * time.lo));
     let from = -v * context.difference_time();
     let tip = from + v * cut;
-    if let Some(time) = hit.filter(|_| options.flag("free", true)) {
-        // Under the arrow, which stays one vector from its tail to its tip.
-        sketch.since(context.answered()).part("until-hit").line(from, from + v * time.lo, underlay());
-    }
     if options.flag("parts", false) {
         parts(sketch, context, options, from);
     }
     sketch.since(None).part("ray").arrow(from, tip, Pen::vector(role));
+    if let Some(time) = hit.filter(|_| options.flag("free", true)) {
+        sketch.since(context.answered()).part("until-hit").line(from, from + v * time.lo, until_hit());
+        sketch.since(None);
+    }
     let lined = options.flag("lines", false);
     if lined {
         missed(sketch, context, from, v);

@@ -16,10 +16,6 @@ use super::held;
 use super::normal::scaled;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
-/// Width of the way to the hit under the vector that it is part of, page pixels, and its opacity: seen on
-/// either side of the shaft, which stays the vector's.
-const UNDERLAY: [f64; 2] = [7.0, 0.6];
-
 pub(super) const LAYER: Layer = Layer {
     name: "velocity",
     about: "velocities; the relative one in configuration space",
@@ -219,8 +215,9 @@ fn arrow(sketch: &mut Sketch, options: &Options, m: &Motion) {
     let role = options.role(Role::Ink);
     let (from, tip) = (m.from, m.from + m.v * m.scale);
     let until = ahead.filter(|_| options.word("accent", "") == When::HIT);
+    sketch.since(None).part("velocity").arrow(from, tip, Pen::vector(role));
     if let Some((way, _)) = &until {
-        let pen = underlay();
+        let pen = until_hit();
         sketch.since(m.known).part("until-hit");
         if let [from, end] = way[..] {
             sketch.line(from, end, pen);
@@ -228,7 +225,7 @@ fn arrow(sketch: &mut Sketch, options: &Options, m: &Motion) {
             sketch.area(&Outline::polyline(way), None, Some(pen));
         }
     }
-    sketch.since(None).part("velocity").arrow(from, tip, Pen::vector(role));
+    sketch.since(None);
     sketch.label(Label::new(m.key, m.text.clone(), Anchor::tip(from, tip), role));
     if let Some((way, time)) = until {
         sketch.since(m.known);
@@ -238,9 +235,10 @@ fn arrow(sketch: &mut Sketch, options: &Options, m: &Motion) {
     }
 }
 
-/// The pen for the way to the hit, under the vector that it is part of.
-pub(super) const fn underlay() -> Pen {
-    Pen::highlighted(Role::Now).width(UNDERLAY[0]).opacity(UNDERLAY[1])
+/// The pen for the way to the hit, over the vector that it is part of: one line that is thick as far as
+/// nothing is in the way.
+pub(super) const fn until_hit() -> Pen {
+    Pen::highlighted(Role::Now)
 }
 
 /// The anchor of a label of a way: beside its middle.

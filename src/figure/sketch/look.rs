@@ -4,6 +4,10 @@ use crate::drawing::{Cap, Paint, Pattern, Role, Stroke};
 
 use super::{Dash, Pen, Sketch, Wash};
 
+/// How opaque the area of B ⊖ A is against those of bodies: it is as large as both of them together, and at
+/// the same opacity it would be what is seen first.
+const LARGE: f64 = 0.75;
+
 impl Sketch<'_> {
     /// The opaque paint of a role.
     pub(super) fn paint(&self, role: Role) -> Paint {
@@ -12,7 +16,8 @@ impl Sketch<'_> {
 
     /// The paint of an area.
     pub(super) fn wash(&self, wash: Wash) -> Paint {
-        self.paint(wash.role).with_opacity(wash.opacity.unwrap_or(self.theme.fill_opacity))
+        let large = if wash.role == Role::Difference { LARGE } else { 1.0 };
+        self.paint(wash.role).with_opacity(wash.opacity.unwrap_or(large * self.theme.fill_opacity))
     }
 
     /// The pattern over an area, where the theme has one for its role.

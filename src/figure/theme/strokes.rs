@@ -78,17 +78,17 @@ impl LineKind {
     /// The width of the house on the usual page, page pixels.
     ///
     /// ```
-    /// assert_eq!(tracefig::figure::theme::LineKind::Outline.width(), 2.25);
+    /// assert_eq!(tracefig::figure::theme::LineKind::Outline.width(), 2.0);
     /// ```
     #[must_use]
     pub const fn width(self) -> f64 {
         match self {
-            Self::Outline => 2.25,
+            Self::Outline => 2.0,
             Self::Highlighted => 3.0,
-            Self::Vector => 1.75,
-            Self::Construction => 1.25,
+            Self::Vector => 2.1,
+            Self::Construction | Self::Dimension => 1.25,
             Self::Path | Self::Ghost => 1.5,
-            Self::Dimension | Self::Axes => 1.0,
+            Self::Axes => 1.0,
             Self::Grid => 0.75,
         }
     }
