@@ -81,7 +81,9 @@ mod tests {
             for (item, panel) in group.items.iter().zip(&panels) {
                 let Item::Path(path) = item else { panic!("a path") };
                 let seen = path.contour.bounds().unwrap();
-                assert!(seen.x0 == panel.x0 && panel.x1 == seen.x1 && seen.y0 < panel.y0 && panel.y1 < seen.y1);
+                assert!(
+                    seen.x0 == panel.x0 && panel.x1 == seen.x1 && seen.y0 < panel.y0 && panel.y1 < seen.y1
+                );
                 assert_eq!(panels.iter().filter(|other| seen.intersection(**other).is_some()).count(), 1);
             }
             assert!(first(1, name).0.items.is_empty());

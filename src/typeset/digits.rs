@@ -5,14 +5,12 @@
 //! a figure moves its numbers change in every frame, and what the formula engine makes of them does not.
 
 use super::face::Loaded;
-use super::formula::Formula;
-use super::line::{Face, Glyph};
+use super::line::{Face, Glyph, PlacedGlyph};
 
 /// Commands beside which a digit is as free as without: signs, which take nothing.
 const SIGNS: [&str; 8] = ["approx", "cdot", "ge", "le", "omega", "ominus", "theta", "times"];
 
-/// The same formula with a zero for each digit that is free, and these digits in their order; `None` where
-/// none is.
+/// A formula with a zero for each digit that is free, and these digits in their order; `None` where none is.
 pub(super) fn apart(latex: &str) -> Option<(String, Vec<char>)> {
     let (mut pattern, mut digits) = (String::with_capacity(latex.len()), Vec::new());
     // What comes next is a script.
@@ -52,17 +50,17 @@ pub(super) fn apart(latex: &str) -> Option<(String, Vec<char>)> {
     (!digits.is_empty()).then_some((pattern, digits))
 }
 
-/// A formula that [`apart`] has given zeros, set at a size, with its own digits; `None` where its zeros on the
-/// baseline are not these.
-pub(super) fn together(mut zeros: Formula, digits: &[char], size: f64) -> Option<Formula> {
+/// Gives the glyphs of a formula with zeros, as [`apart`] made it, set at a size, its own digits; `None` where
+/// its zeros on the baseline are not these.
+pub(super) fn put(digits: &[char], glyphs: &mut [PlacedGlyph], size: f64) -> Option<()> {
     let face = Loaded::of(Face::Math)?;
     let of = |digit: char| Some(Glyph { face: Face::Math, id: face.face().glyph_index(digit)?.0 });
     let zero = of('0')?;
     let mut next = digits.iter();
-    for placed in &mut zeros.glyphs {
+    for placed in glyphs {
         if placed.glyph == zero && placed.y == 0.0 && placed.size == size {
             placed.glyph = of(*next.next()?)?;
         }
     }
-    next.next().is_none().then_some(zeros)
+    next.next().is_none().then_some(())
 }

@@ -61,8 +61,10 @@ pub(super) fn set(latex: &str, offset: usize, size: f64) -> Result<Formula, Type
 /// A formula whose digits alone are its own: of all that differ in them one is laid out and kept.
 fn with_digits(latex: &str, offset: usize, size: f64) -> Option<Formula> {
     let (pattern, digits) = digits::apart(latex).filter(|(pattern, _)| pattern != latex)?;
-    let formula = digits::together(set(&pattern, offset, size).ok()?, &digits, size)?;
-    Some(Formula { text: plain::formula_in_words(latex), ..formula })
+    let mut formula = set(&pattern, offset, size).ok()?;
+    digits::put(&digits, &mut formula.glyphs, size)?;
+    formula.text = plain::formula_in_words(latex);
+    Some(formula)
 }
 
 fn set_new(latex: &str, offset: usize, size: f64) -> Result<Formula, TypesetError> {
@@ -275,7 +277,8 @@ mod tests {
     #[test]
     fn formulas_that_differ_in_digits_are_laid_out_alike() {
         let patterns = ["d = 2.#1", r"w_# = (#, -#.#)", r"\ge #.#4", "x_1#", "#^2", "n' = #'", "v_{#} + ##"];
-        let others = [r"\frac12 + #", r"\text{at #} #", r"\left(#\right)", r"2\,# \omega_#", "# _ # #", "{#}#"];
+        let others =
+            [r"\frac12 + #", r"\text{at #} #", r"\left(#\right)", r"2\,# \omega_#", "# _ # #", "{#}#"];
         for pattern in patterns.into_iter().chain(others) {
             for digit in '0'..='9' {
                 for size in [11.0, 16.0] {

@@ -172,6 +172,7 @@ pub(crate) const ROOMS: &[Row] = &[
     ),
     ("figure/difference", &["geometry", "trace", "figure/sketch"]),
     ("figure/distances", &["geometry", "collision"]),
+    ("figure/again", &["geometry", "collision", "scene"]),
     (
         "figure/runs",
         &[
@@ -179,6 +180,7 @@ pub(crate) const ROOMS: &[Row] = &[
             "trace",
             "collision",
             "scene",
+            "figure/again",
             "figure/called",
             "figure/cue",
             "figure/distances",
@@ -188,7 +190,6 @@ pub(crate) const ROOMS: &[Row] = &[
     ),
     ("figure/moving_frame", &["geometry", "collision"]),
     ("figure/touching", &["geometry", "collision"]),
-    ("figure/again", &["geometry", "collision", "scene"]),
     (
         "figure/context",
         &[

@@ -240,7 +240,7 @@ fn demo_linear_sweep_tells_the_edges_that_face_the_ray_by_their_normals() {
         world.polygon(B, &[(-6.5, 1.0), (-1.75, 0.25), (-3.5, 5.5)]).is_some(),
         world.polygon(A, &moved(a, (-6.0, -4.0))).is_some_and(dashed),
         world.line(Now, (3.5, 6.5), (-2.5, 2.5)).is_some(),
-        world.arrow(Ink, (3.5, 6.5), (-4.0, 1.5)),
+        world.arrow(A, (3.5, 6.5), (-4.0, 1.5)),
         world.marker(Now, (-2.5, 2.5)),
         f.says("$A$ at $t = 0.8$"),
         f.says("$v_A$"),

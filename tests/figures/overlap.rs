@@ -13,7 +13,7 @@ fn turned((x, y): (f64, f64)) -> (f64, f64) {
 #[test]
 fn figure_1_shows_the_depth_the_normal_and_b_pushed_out() {
     let f = figure("01-penetration");
-    let w = look(&f, 0, [-1.3, -3.5, 11.1, 4.1]);
+    let w = look(&f, 0, [-1.75, -3.75, 11.55, 4.35]);
     let a = [(5.0, -1.0), (1.25, 4.0), (-0.4, 3.2), (-1.2, 0.4), (-0.6, -2.2), (1.8, -3.4)];
     let b = [(1.6, 0.2), (5.2, -2.6), (8.2, -2.8), (9.4, 0.4), (7.0, 2.6)];
     // A's edges 4x + 3y = 17 and 3x − 4y = 19 are 10/5 and 15/5 from B's vertex (1.6, 0.2); along the normals
@@ -42,7 +42,7 @@ fn figure_1_shows_the_depth_the_normal_and_b_pushed_out() {
 #[test]
 fn figure_2_shows_the_box_its_vertices_its_centre_and_who_touches_it() {
     let f = figure("02-bounding-box");
-    let w = look(&f, 0, [-6.9, -3.6, 8.9, 5.55]);
+    let w = look(&f, 0, [-6.9, -3.75, 8.9, 5.75]);
     let a = [
         (-5.0, 0.5),
         (-2.5, -1.0),
@@ -97,7 +97,7 @@ fn clamps(seen: &Look, v: (f64, f64), closest: (f64, f64)) -> bool {
 #[test]
 fn figure_3_shows_v_its_clamped_components_and_the_distance() {
     let f = figure("03-circle-box");
-    let w = look(&f, 0, [-2.8, -1.25, 3.45, 2.88]);
+    let w = look(&f, 0, [-2.85, -1.35, 3.5, 2.98]);
     let closest = (2.0, 0.8);
     shows![
         w.polygon(A, &[(-2.0, -0.8), (2.0, -0.8), closest, (-2.0, 0.8)]).is_some(),
@@ -162,7 +162,7 @@ const CIRCLES: [[f64; 4]; 2] = [[-3.45, -7.4, 9.45, 4.4], [-3.45, -7.4, 12.185, 
 #[test]
 fn box_box_lays_out_half_extents_gaps_and_centre_distance_axis_by_axis() {
     let f = figure("box-box");
-    let w = look(&f, 0, [-6.55, -5.5, 12.9, 3.8]);
+    let w = look(&f, 0, [-6.9, -5.7, 13.3, 4.0]);
     shows![
         w.polygon(A, &[(-6.25, -0.5), (-0.25, -0.5), (-0.25, 3.5), (-6.25, 3.5)]).is_some(),
         w.polygon(B, &[(1.75, -3.5), (6.75, -3.5), (6.75, 0.5), (1.75, 0.5)]).is_some(),
@@ -192,7 +192,7 @@ fn box_box_lays_out_half_extents_gaps_and_centre_distance_axis_by_axis() {
 #[test]
 fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
     let f = figure("circle-obb");
-    let view = [-4.0, -3.6, 3.5, 5.1];
+    let view = [-4.55, -3.6, 3.45, 5.1];
     let vertices = [(-2.8, -1.6), (2.8, -1.6), (2.8, 1.6), (-2.8, 1.6)];
     let tilted = vertices.map(turned);
     // (-2.3, 3.6) in the world.
@@ -206,7 +206,7 @@ fn circle_obb_goes_into_the_frame_clamps_and_comes_back() {
         world.any_line((0.0, 0.0), (3.3, 0.0)),
         f.says("$53.1°$"),
     ];
-    let body = look(&f, 1, [-4.35, -3.15, 3.15, 5.55]);
+    let body = look(&f, 1, [-4.5, -3.15, 3.5, 5.55]);
     let kept = |seen: &Look, x: (f64, f64), y: (f64, f64)| {
         seen.line(A, (0.0, 0.0), x).is_some_and(thick) && seen.line(A, (0.0, 0.0), y).is_some_and(thick)
     };
