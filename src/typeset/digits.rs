@@ -50,8 +50,8 @@ pub(super) fn apart(latex: &str) -> Option<(String, Vec<char>)> {
     (!digits.is_empty()).then_some((pattern, digits))
 }
 
-/// Gives the glyphs of a formula with zeros, as [`apart`] made it, set at a size, its own digits; `None` where
-/// its zeros on the baseline are not these.
+/// Gives the glyphs of a formula with zeros, as [`apart`] made it, set at a size, its own digits; `None`
+/// where its zeros on the baseline are not these.
 pub(super) fn put(digits: &[char], glyphs: &mut [PlacedGlyph], size: f64) -> Option<()> {
     let face = Loaded::of(Face::Math)?;
     let of = |digit: char| Some(Glyph { face: Face::Math, id: face.face().glyph_index(digit)?.0 });
