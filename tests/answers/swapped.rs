@@ -307,6 +307,27 @@ fn what_one_order_proves_at_once_the_other_proves_too() {
     assert_eq!(verdict(r#"["A", "B"]"#), verdict(r#"["B", "A"]"#));
 }
 
+#[test]
+fn bodies_that_overlap_at_the_start_overlap_however_far_one_of_them_reaches() {
+    // A half-plane, but for its length, whose lower side the box reaches over by 3.0625. Doubles see its end
+    // as far from the box as its other end is long.
+    for (far, moved) in [("1e80", "43e66"), ("1e40", "1e27"), ("1e30", "1e16"), ("1e9", "0")] {
+        for (names, limit) in
+            [("A", "B"), ("B", "A")].into_iter().flat_map(|names| [(names, 1), (names, 100)])
+        {
+            let found = answer(&format!(
+                r#"{{"shapes": {{"A": {{"kind": "capsule", "radius": 9007199254740992, "position": [{moved}, 6.0625],
+                "points": [[-{far}, 9007199254740992], [0, 9007199254740992]], "velocity": [0, -5.0625]}},
+                "B": {{"kind": "aabb", "half_extents": [5.0625, 4.125], "position": [0, 5], "velocity": [5, 0]}}}},
+                "query": {{"kind": "time-of-impact", "of": ["{}", "{}"], "max_iterations": {limit}}}}}"#,
+                names.0, names.1
+            ));
+            let outcome = found.text_at("outcome").map(str::to_owned);
+            assert_eq!(outcome.as_deref(), Some("overlapping"), "{far}, {names:?}, {limit}: {found}");
+        }
+    }
+}
+
 /// The contacts of a pair, the deepest first; None where several edges are as deep.
 fn contacts(a: &Body, b: &Body) -> Option<Vec<ContactPoint>> {
     let asked = query(QueryKind::Contact, a, b);

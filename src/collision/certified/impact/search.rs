@@ -108,11 +108,9 @@ impl<'p, 'q, F: FnMut(AxisSpan)> Search<'p, 'q, F> {
     fn step_by_step(&mut self) -> Ended {
         let (mut near, gap) = self.closest(0.0);
         // Of two points at rest in one place nothing is rounded.
-        if gap <= CLOSE * self.pair.rounding {
-            let start = self.separation_at(0.0, near);
-            if start.bounds.lo <= 0.0 {
-                return Ended::Decided(Outcome::at_start(&start));
-            }
+        let mut is_proved = gap <= CLOSE * self.pair.rounding;
+        if is_proved && let Some(touching) = self.touching_at_start(near) {
+            return Ended::Decided(touching);
         }
         let mut t = 0.0;
         loop {
@@ -122,6 +120,14 @@ impl<'p, 'q, F: FnMut(AxisSpan)> Search<'p, 'q, F> {
                 return Ended::Decided(Outcome::Miss);
             }
             let stuck = until <= t;
+            // A wide gap of doubles is no proof that the bodies start apart, as an axis that separates is.
+            if stuck
+                && !is_proved
+                && let Some(touching) = self.touching_at_start(near)
+            {
+                return Ended::Decided(touching);
+            }
+            is_proved = true;
             t = until;
             if self.queries >= self.limits.max_queries || self.is_spent() {
                 return Ended::at_limit(t);
@@ -139,6 +145,12 @@ impl<'p, 'q, F: FnMut(AxisSpan)> Search<'p, 'q, F> {
                 near = self.closest(t).0;
             }
         }
+    }
+
+    /// The outcome where the bodies are not proved to be apart at t = 0.
+    fn touching_at_start(&self, near: DifferenceFeature) -> Option<Outcome> {
+        let start = self.separation_at(0.0, near);
+        (start.bounds.lo <= 0.0).then(|| Outcome::at_start(&start))
     }
 
     /// Follows an axis of the given features from `t` and reports it; of two, the one that lasts longer.
