@@ -74,11 +74,11 @@ pub(crate) struct Rest {
     normal: UnitVector,
     /// The time at which the gap ends, in doubles: q ≈ g / k.
     pub(crate) q: f64,
-    /// The closing speed along the normal, k.
+    /// The closing speed along the normal, k, in a double.
     closing: f64,
     /// Lower bound of the closing speed.
     least: f64,
-    /// Bound on the error of the closing speed.
+    /// Bound on the error of that double.
     closing_error: f64,
     /// What is left of the gap at q: g − q k.
     pub(crate) left: f64,
@@ -109,7 +109,10 @@ impl Line<'_, '_> {
         let far = d[0].hi.abs() + d[1].hi.abs();
         let gap_error = pair.placing_error + turning * far + REST_ERROR * (pair.magnitude + pair.radius.hi);
         let closing_error = error + (turning + REST_ERROR) * speed;
-        let least = closing.hi * (1.0 - 4.0 * f64::EPSILON) - closing_error;
+        // Of a ray all but along the edge little is left in the high half, and the low one, which the step
+        // from q lacks, is no longer small beside it.
+        let rounded_error = closing_error + closing.lo.abs();
+        let least = closing.hi * (1.0 - 4.0 * f64::EPSILON) - rounded_error;
         if least <= CERTAIN * closing.hi {
             return None;
         }
@@ -119,7 +122,7 @@ impl Line<'_, '_> {
         let rest = (gap.hi - run) + ((gap.lo - q * closing.lo) - tail);
         let error = (gap_error + q.abs() * closing_error) * (1.0 + 16.0 * f64::EPSILON);
         let normal = UnitVector::normalized(DVec2::new(n[0].hi, n[1].hi));
-        Some(Rest { normal, q, closing: closing.hi, least, closing_error, left: rest, error })
+        Some(Rest { normal, q, closing: closing.hi, least, closing_error: rounded_error, left: rest, error })
     }
 
     /// When the ray enters through an edge, and the pair just before; None where it hardly closes.
@@ -136,13 +139,15 @@ impl Line<'_, '_> {
         if time.lo >= 1.0 || time.hi < 0.0 {
             return Some(Entry::At { feature, time, contact: None });
         }
-        let separation = left - (time.lo - q) * closing;
+        let back = time.lo - q;
+        let separation = left - back * closing;
+        let error = error + back.abs() * closing_error + 8.0 * f64::EPSILON * left.abs();
         let proved = Proved {
             carrier: Carrier::Edge(facing),
             normal: Some(normal),
             core: separation + self.pair.radius.hi,
             separation,
-            bounds: around(separation, error + 8.0 * f64::EPSILON * left.abs()),
+            bounds: around(separation, error),
             ties: 1,
         };
         Some(Entry::At { feature, time, contact: Some(proved) })
