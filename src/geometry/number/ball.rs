@@ -108,18 +108,20 @@ impl Ball {
         Self { value, radius: if vague { radius + DENORMAL } else { radius } }
     }
 
-    /// The quotient x / y; its radius is infinite where y may be 0.
+    /// The quotient x / y; its radius is infinite where y may be 0, or the quotient beyond all doubles.
     #[inline]
     #[must_use]
     pub(crate) fn over(self, y: Self) -> Self {
+        let anything = Self { value: Dd::ZERO, radius: f64::INFINITY };
         let least = y.value.hi.abs() * (1.0 - f64::EPSILON) - y.radius;
         if least <= 0.0 {
-            return Self { value: Dd::ZERO, radius: f64::INFINITY };
+            return anything;
         }
         let value = self.value.div(y.value);
         let q = value.hi.abs();
         let radius = (self.radius + q * y.radius * (1.0 + f64::EPSILON)) / least + Dd::ROUNDING * q;
-        Self { value, radius: up(radius) + underflow(q, self.value.hi.abs() + self.radius, 1.0) }
+        let radius = up(radius) + underflow(q, self.value.hi.abs() + self.radius, 1.0);
+        if radius.is_finite() { Self { value, radius } } else { anything }
     }
 
     /// √x; of the part of the ball that is not negative.
@@ -295,6 +297,14 @@ mod tests {
         let factor = f64::from_bits(1);
         let e = Ball::new(1.5).enclosure_scaled(factor);
         assert!(e.lo <= f64::from_bits(1) && e.hi >= f64::from_bits(2));
+    }
+
+    #[test]
+    fn a_quotient_beyond_all_doubles_may_be_anything() {
+        for least in [1e-304, f64::from_bits(1)] {
+            let e = (-Ball::new(1e10)).over(Ball::new(least)).enclosure();
+            assert_eq!((e.lo, e.hi), (f64::NEG_INFINITY, f64::INFINITY), "{least:e}");
+        }
     }
 
     #[test]
