@@ -35,4 +35,6 @@ const counts = await page.evaluate(async ([packed, runs]) => {
     return { made, drawn };
 }, [Buffer.from(bytes()).toString('base64'), runs]);
 await browser.close();
-console.log(`${each * all.length} edits in Chromium without a trap: ${counts.made} made a scene, ${counts.drawn} were drawn`);
+const { made, drawn } = counts;
+const done = `${each * all.length} edits in Chromium without a trap`;
+console.log(`${done}: ${made} made a scene, ${drawn} were drawn`);

@@ -291,7 +291,7 @@ mod tests {
         }
         let told = ["d = 2.51", "x_12", "7^2", r"\frac12"].map(digits::apart);
         let zeros = told.map(|pattern| pattern.map(|(pattern, _)| pattern));
-        assert_eq!(zeros.map(|zeros| zeros.unwrap_or_default()), ["d = 0.00", "x_10", "", ""]);
+        assert_eq!(zeros.map(Option::unwrap_or_default), ["d = 0.00", "x_10", "", ""]);
     }
 
     #[test]
