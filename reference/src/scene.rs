@@ -140,7 +140,7 @@ impl Scene {
 }
 
 impl Body {
-    fn read(json: &Json) -> Result<Self, String> {
+    pub(crate) fn read(json: &Json) -> Result<Self, String> {
         let radius = json.number_at("radius").unwrap_or(0.0);
         let points = |key: &str| -> Result<Vec<[f64; 2]>, String> {
             let list = json.get(key).ok_or(format!("no {key}"))?.list();

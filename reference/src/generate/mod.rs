@@ -4,6 +4,7 @@
 //! of a seed does not depend on how many cases are asked for. A category is one row of a table.
 
 mod draft;
+mod edge_slide;
 mod extremes;
 mod flat_pairs;
 mod impact;
@@ -78,6 +79,7 @@ const IN_MOTION: &[Category] = &[
     Category { name: "passing", draw: passing::passing },
     Category { name: "sliding", draw: passing::sliding },
     Category { name: "turning-beside", draw: passing::turning_beside },
+    Category { name: "edge-slide", draw: edge_slide::edge_slide },
 ];
 
 /// Cases as an engine logs them, at one moment.

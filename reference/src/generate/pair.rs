@@ -18,13 +18,18 @@ pub(super) const IMPACT: &str = "time-of-impact";
 /// A scene of two bodies and a question. One time in eight their names are swapped, and with them their
 /// order in the file.
 pub(super) fn scene(random: &mut Random, kind: &str, [a, b]: [Draft; 2], more: &[(&str, Json)]) -> Json {
+    asked(random, kind, [a.json(), b.json()], more)
+}
+
+/// As [`scene`], of bodies as a scene writes them.
+pub(super) fn asked(random: &mut Random, kind: &str, [a, b]: [Json; 2], more: &[(&str, Json)]) -> Json {
     let names = if random.once_in(8) { ["B", "A"] } else { ["A", "B"] };
     let of = names.map(|name| Json::Text(name.to_owned())).to_vec();
     let mut query = Json::object([("kind", Json::Text(kind.to_owned())), ("of", Json::List(of))]);
     for (key, value) in more {
         query.set(key, value.clone());
     }
-    let mut shapes = vec![(names[0].to_owned(), a.json()), (names[1].to_owned(), b.json())];
+    let mut shapes = vec![(names[0].to_owned(), a), (names[1].to_owned(), b)];
     shapes.sort_by(|x, y| x.0.cmp(&y.0));
     Json::object([("shapes", Json::Object(shapes)), ("query", query)])
 }

@@ -8,7 +8,7 @@ use tracefig_reference::scene::{self, Kind, Scene, scale};
 
 use crate::collision::Outcome;
 use crate::geometry::shape::FieldValue;
-use crate::geometry::{Angle, Body, DVec2, Enclosure, Shape};
+use crate::geometry::{Angle, Body, DVec2, Enclosure, Rotation, Shape};
 
 /// A pair with a witness.
 pub(crate) struct HardPair {
@@ -51,8 +51,9 @@ fn body(of: &scene::Body) -> Body {
         _ if of.ring => Shape::of_kind("polygon", &[("vertices", FieldValue::Points(points)), radius]),
         _ => Shape::of_kind("capsule", &[("points", FieldValue::Points(points)), radius]),
     };
+    let [cos, sin] = of.matrix;
     Body {
-        shape: shape.expect("a shape"),
+        shape: shape.and_then(|shape| shape.multiplied(Rotation { cos, sin })).expect("a shape"),
         position: DVec2::from(of.position),
         angle: angle(of.angle),
         velocity: DVec2::from(of.velocity),
