@@ -94,16 +94,22 @@ impl Ray<'_, '_> {
         let Some(facing) = last_line(self.pair, self.direction()) else {
             return self.entry_by_disc(self.first_vertex());
         };
+        match self.entry_by_line(facing) {
+            Entry::Unsure => self.entry_all_but_along().unwrap_or(Entry::Unsure),
+            entry => entry,
+        }
+    }
+
+    /// Where the ray's line enters B ⊖ A, which is through an edge, the one whose line it meets last, or
+    /// beyond an end of it.
+    fn entry_by_line(&self, facing: DifferenceEdge) -> Entry {
         let measured = self.balls.measure(facing);
         let when = self.meets_line(&measured);
         if !when.denominator.is_positive() {
             return Entry::Unsure;
         }
         match self.meeting_point(&measured, when.value()) {
-            MeetingPoint::Within => {
-                let (feature, time) = (DifferenceFeature::Edge(measured.facing), when.doubles());
-                Entry::At { feature, time, contact: None }
-            }
+            MeetingPoint::Within => entry_within(&measured, when),
             MeetingPoint::Beyond(vertex) => self.entry_by_disc(vertex),
             MeetingPoint::Undecided(vertex) => match self.entry_by_disc(vertex) {
                 Entry::At { feature, time, contact } => {
@@ -114,6 +120,19 @@ impl Ray<'_, '_> {
                 other => other,
             },
         }
+    }
+
+    /// Where the ray enters through the edge that it runs all but along.
+    ///
+    /// Of its line doubles may not tell that the ray meets it, or when, so that it was not the last one. A
+    /// ray that comes from outside of an edge's line and meets it on the edge enters there, whichever line
+    /// is last.
+    fn entry_all_but_along(&self) -> Option<Entry> {
+        let measured = self.balls.measure(nearest_line(self.pair, self.direction())?);
+        let when = self.meets_line(&measured);
+        let is_within = when.denominator.is_positive()
+            && matches!(self.meeting_point(&measured, when.value()), MeetingPoint::Within);
+        is_within.then(|| entry_within(&measured, when))
     }
 
     /// The vertex of B ⊖ A that is first along the ray, in doubles: where no edge faces it, B ⊖ A is a point
@@ -240,29 +259,53 @@ impl Ray<'_, '_> {
     }
 }
 
+/// An entry through an edge, on it.
+fn entry_within(measured: &MeasuredEdge, when: TimeQuotient) -> Entry {
+    Entry::At { feature: DifferenceFeature::Edge(measured.facing), time: when.doubles(), contact: None }
+}
+
 /// The edge of B ⊖ A facing a ray along v whose line, moved out by ρ, the ray meets last; in doubles.
 pub(crate) fn last_line(pair: &Pair, v: DVec2) -> Option<DifferenceEdge> {
-    let (center, rotation) = (pair.center, pair.b_rotation.rounded());
-    let radius = pair.radius.hi;
-    let (a, b) = (pair.hull(Side::A), pair.hull(Side::B));
-    let scale = pair.scale;
     let mut last: Option<(DifferenceEdge, f64)> = None;
-    let mut visit = |facing: DifferenceEdge, gap: f64, closing: f64| {
+    each_line(pair, v, |facing, gap, closing| {
         // Compared as fractions with positive denominators would overflow sooner than as quotients.
-        let time = (gap * scale - radius) / closing;
+        let time = gap / closing;
         if closing > 0.0 && last.is_none_or(|(_, latest)| time > latest) {
             last = Some((facing, time));
         }
-    };
+    });
+    last.map(|(facing, _)| facing)
+}
+
+/// The edge of B ⊖ A whose line, moved out by ρ, a ray along v is nearest to where it is farthest from it
+/// over t in [0, 1]; in doubles.
+fn nearest_line(pair: &Pair, v: DVec2) -> Option<DifferenceEdge> {
+    let mut nearest: Option<(DifferenceEdge, f64)> = None;
+    each_line(pair, v, |facing, gap, closing| {
+        let off = gap.abs().max((gap - closing).abs());
+        if nearest.is_none_or(|(_, least)| off < least) {
+            nearest = Some((facing, off));
+        }
+    });
+    nearest.map(|(facing, _)| facing)
+}
+
+/// Visits every edge of B ⊖ A with how far its line, moved out by ρ, is from the origin, and how fast a ray
+/// along v comes nearer to it; in doubles.
+fn each_line(pair: &Pair, v: DVec2, mut visit: impl FnMut(DifferenceEdge, f64, f64)) {
+    let (center, rotation) = (pair.center, pair.b_rotation.rounded());
+    let (scale, radius) = (pair.scale, pair.radius.hi);
+    let (a, b) = (pair.hull(Side::A), pair.hull(Side::B));
     let c = center / scale;
     pass(a, b, (c, rotation), |edge, vertex, gap| {
-        visit(DifferenceEdge { source: Side::A, edge, vertex }, gap, a.normals[edge].dot(v));
+        let facing = DifferenceEdge { source: Side::A, edge, vertex };
+        visit(facing, gap * scale - radius, a.normals[edge].dot(v));
     });
     let seen = -rotation.undo(v);
     pass(b, a, (-rotation.undo(c), rotation.inverse()), |edge, vertex, gap| {
-        visit(DifferenceEdge { source: Side::B, edge, vertex }, gap, b.normals[edge].dot(seen));
+        let facing = DifferenceEdge { source: Side::B, edge, vertex };
+        visit(facing, gap * scale - radius, b.normals[edge].dot(seen));
     });
-    last.map(|(facing, _)| facing)
 }
 
 /// A vector times a number.

@@ -124,7 +124,7 @@ impl<'s> Sweep<'s> {
 mod tests {
     use super::*;
     use crate::collision::certified::distance::settle;
-    use crate::collision::tests::bodies::{Bodies, moving, placed, polygon};
+    use crate::collision::tests::bodies::{Bodies, boxed, moving, placed, polygon};
 
     #[test]
     fn a_contact_of_doubles_is_the_certified_separation_at_its_time() {
@@ -159,6 +159,23 @@ mod tests {
         let b = placed(polygon(&[[-8.422_846_920_471_272e26, -0.59], [0.0, 0.0]], 0.0), 0.0, 0.0, 0.0);
         for sweep in [Sweep::new(&a, &b), Sweep::new(&b, &a)] {
             assert_eq!(sweep.first_contact(), Outcome::Miss);
+        }
+    }
+
+    #[test]
+    fn a_box_that_slides_along_another_and_nears_it_by_1e_15_of_its_way_meets_it_at_one_time() {
+        // Doubles do not tell when it meets the edge's line: axes left a hundredth of the motion open.
+        let angle = -124.198_695_929_808_24;
+        let a = boxed("box", 0.459_231_487_899_801_3, 0.163_307_230_774_804_52);
+        let a = placed(a, -0.291_305_920_136_375_1, -0.573_868_902_898_090_1, angle);
+        let b = boxed("box", 13.957_398_243_371_626, 19.669_584_837_089_09);
+        let b = placed(b, -5.667_848_291_016_019, 26.800_192_402_993_05, angle);
+        let b = moving(b, [-6.357_912_175_717_629, -9.355_841_711_128_317], 0.0);
+        // To 400 bits.
+        let exact = 0.471_225_847_406_329_8;
+        for sweep in [Sweep::new(&a, &b), Sweep::new(&b, &a)] {
+            let Outcome::Hit { time, .. } = sweep.first_contact() else { panic!("they meet") };
+            assert!(time.lo <= exact && exact <= time.hi && time.hi - time.lo < 1e-13, "{time:?}");
         }
     }
 
