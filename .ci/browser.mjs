@@ -20,12 +20,11 @@ const { PNG } = require("pngjs");
 //
 // Mean difference over all pixels and channels, in levels of 255: two fills in dark at 0.14 for 0.20 make it 2.5.
 // Pages end where their drawing ends, and a grid has a soft edge on every row: 0.40 at most of our figures, but 0.47 where
-// tinted areas lie over each other on a small page (contact-clipping). A tinted area on a ground may be one level off all
-// over, as we round once what Chromium rounds layer by layer: 0.75 where half of the page is one (06-advancement).
-const MEAN_LIMIT = 0.8;
+// tinted areas lie over each other on a small page (contact-clipping).
+const MEAN_LIMIT = 0.5;
 // Levels by which a channel differs strongly. What is lost but a thin grey line differs by more; at half of it, hundreds
-// of pixels along edges and letters do, and at 64 twenty dots of an outline in today's red, which run ahead.
-const STRONG = 72;
+// of pixels along edges and letters do.
+const STRONG = 64;
 // How far, in image pixels, a strong difference may find its colour in the other picture. Chromium measures arcs short: on
 // a dotted circle of radius 45 its dots run ahead by 0.55 page pixels in a round, where ours are within 0.09 of the truth.
 const REACH = 2;

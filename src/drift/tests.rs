@@ -160,8 +160,8 @@ fn another_theme_is_a_line_a_colour() {
     let lines = what_moved(svg_format(), &svg(SCENE), &drawn(SCENE, "dark").1);
     says(&lines, "page: colour of background #ffffff → #12161c");
     says(&lines, "colour of a #bc0d2a → #ff6b57");
-    says(&lines, "fill opacity 0.18 → 0.2");
-    says(&lines, "label-A in panel-1: colour of a tint #eccdd4 → #462d2f");
+    says(&lines, "fill opacity 0.2 → 0.24");
+    says(&lines, "label-A in panel-1: colour of a tint #eac8d0 → #4f3031");
     says(&lines, "style sheet");
 }
 

@@ -135,8 +135,8 @@ fn a_theme_sets_the_widths_of_lines_and_the_sizes_of_letters() {
     let ran = render(folder.path(), &["s.toml", "--format", "svg", "--theme", "light,slides.toml"]);
     assert_eq!((ran.code, ran.err.as_str()), (Some(0), ""));
     let [house, slides] = ["s.light.svg", "s.slides.svg"].map(|name| svg(folder.path(), name));
-    assert!(house.contains("stroke-width=\"2\"") && slides.contains("stroke-width=\"4.5\""));
-    assert!(!house.contains("stroke-width=\"4.5\"") && !slides.contains("stroke-width=\"2\""));
+    assert!(house.contains("stroke-width=\"2.1\"") && slides.contains("stroke-width=\"4.5\""));
+    assert!(!house.contains("stroke-width=\"4.5\"") && !slides.contains("stroke-width=\"2.1\""));
     assert!(house.contains("scale(.017)") && slides.contains("scale(.034)"), "{slides}");
 }
 

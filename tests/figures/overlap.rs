@@ -42,7 +42,7 @@ fn figure_1_shows_the_depth_the_normal_and_b_pushed_out() {
 #[test]
 fn figure_2_shows_the_box_its_vertices_its_centre_and_who_touches_it() {
     let f = figure("02-bounding-box");
-    let w = look(&f, 0, [-6.9, -3.75, 8.9, 5.75]);
+    let w = look(&f, 0, [-6.9, -3.7, 8.9, 5.75]);
     let a = [
         (-5.0, 0.5),
         (-2.5, -1.0),

@@ -24,7 +24,7 @@ pub(super) const THEME: Theme = Theme {
     words: COLORS,
     strokes: Strokes::HOUSE,
     text: TypeSizes::HOUSE,
-    fill_opacity: 0.2,
+    fill_opacity: 0.24,
     pattern_opacity: 0.0,
     patterns: &[],
     dark: None,

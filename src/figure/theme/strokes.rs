@@ -78,12 +78,12 @@ impl LineKind {
     /// The width of the house on the usual page, page pixels.
     ///
     /// ```
-    /// assert_eq!(tracefig::figure::theme::LineKind::Outline.width(), 2.0);
+    /// assert_eq!(tracefig::figure::theme::LineKind::Outline.width(), 2.1);
     /// ```
     #[must_use]
     pub const fn width(self) -> f64 {
         match self {
-            Self::Outline => 2.0,
+            Self::Outline => 2.1,
             Self::Highlighted => 3.0,
             Self::Vector => 2.1,
             Self::Construction | Self::Dimension => 1.25,
