@@ -80,7 +80,7 @@ pub(super) const LAYER: Layer = Layer {
             name: "fill",
             takes: Takes::Flag,
             default: "true",
-            about: "a faint fill, unless `faint`",
+            about: "a faint fill, unless `faint`, or \"separated\", where it would tint the body twice",
         },
         OptionSpec {
             name: "faint",
@@ -289,7 +289,9 @@ fn look(options: &Options, role: Role) -> (Option<Wash>, Pen) {
         // What only might be is fainter than what is.
         let is_faint = options.flag("faint", options.word("at", When::HIT) == RIVAL);
         let opacity = if is_faint { SERIES[0] } else { 1.0 };
-        (options.flag("fill", !is_faint).then(|| Wash::faint(role, FAINT)), Pen::ghost(role).opacity(opacity))
+        // A body is seldom pushed by more than its size: its tint over its own would be a third colour.
+        let is_filled = !is_faint && options.word("at", When::HIT) != SEPARATED;
+        (options.flag("fill", is_filled).then(|| Wash::faint(role, FAINT)), Pen::ghost(role).opacity(opacity))
     }
 }
 
