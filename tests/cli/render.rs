@@ -236,7 +236,7 @@ fn auto_in_the_dark_is_the_dark_theme() {
         rest.split_once("}}").unwrap().0.to_owned()
     };
     let dark = rules("dark", "@media all{");
-    assert!(dark.contains("fill-opacity:var(--tracefig-fill-opacity,.2)"), "{dark}");
+    assert!(dark.contains("fill-opacity:var(--tracefig-fill-opacity,.24)"), "{dark}");
     assert_eq!(rules("auto", "@media (prefers-color-scheme:dark){"), dark);
     assert_eq!(rules("auto", "@media all{"), rules("light", "@media all{"));
 }
