@@ -83,9 +83,8 @@ impl LineKind {
     #[must_use]
     pub const fn width(self) -> f64 {
         match self {
-            Self::Outline => 2.1,
+            Self::Outline | Self::Vector => 2.1,
             Self::Highlighted => 3.0,
-            Self::Vector => 2.1,
             Self::Construction | Self::Dimension => 1.25,
             Self::Path | Self::Ghost => 1.5,
             Self::Axes => 1.0,
