@@ -157,7 +157,7 @@ pub fn draw_after(plan: &Plan, theme: &Theme, id: &str, before: Option<&Figure>)
 /// What [`draw_after`] draws, without a look at how the labels stand, which takes a twentieth of a frame.
 pub(crate) fn draw_unjudged(plan: &Plan, theme: &Theme, id: &str, before: Option<&Figure>) -> Figure {
     let theme = &on_background(theme, plan);
-    let run = plan.runs.own(plan.scene, plan.panels.first().map_or(0.0, |p| p.moment.time));
+    let run = plan.run_of_the_whole();
     let sheet = |share| Sheet { plan, theme, share };
     let drawn = match before {
         Some(before) => Panels::drawn(sheet(before.share), Some(before)),
@@ -304,7 +304,7 @@ fn short(plan: &Plan, run: &Run) -> String {
 
 /// The long alternative text: the headline, what is there, and the caption where the page has no room for it.
 fn description(plan: &Plan, run: &Run) -> String {
-    let panels: Vec<_> = plan.panels.iter().map(|panel| panel.source.as_ref()).collect();
+    let panels: Vec<_> = plan.panels.iter().map(|panel| (panel.source.as_ref(), panel.is_chart())).collect();
     let long = match exercise::spoken(plan.scene, &plan.runs) {
         Some(question) => {
             format!("{question} {}", describe::shown(plan.scene, &panels)).trim_end().to_owned()

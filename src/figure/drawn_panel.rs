@@ -54,6 +54,14 @@ pub(super) struct Enlarged {
     labelled: Labelled,
 }
 
+/// What a panel's layers draw in a theme, which the plan may have kept.
+fn sketched(Sheet { plan, theme, share }: Sheet, index: usize) -> Sketched {
+    let panel = &plan.panels[index];
+    let is_planned = std::ptr::eq(theme, plan.theme) && (share >= 1.0 || panel.source.view.is_some());
+    let kept = if is_planned { plan.kept.take(index, &panel.frame) } else { None };
+    kept.unwrap_or_else(|| panel.sketch_at(share, &panel.context(plan.scene, &plan.runs), theme))
+}
+
 /// What a panel's layers draw in a theme, and the labels that seek their places there; its inset, if it has
 /// one, in which labels stand already, `before` as in the frame before.
 pub(super) fn sought(
@@ -63,7 +71,7 @@ pub(super) fn sought(
 ) -> ((Sketched, Vec<Sought>), Option<Enlarged>) {
     let panel = &plan.panels[index];
     let context = panel.context(plan.scene, &plan.runs);
-    let mut sketched = panel.sketch_at(share, &context, theme);
+    let mut sketched = sketched(Sheet { plan, theme, share }, index);
     let enlarged = panel.inset(&sketched, before.map(|before| before.frame.panel)).map(|inset| {
         let enlarged = panel.sketch_inset(&inset, &sketched, (&context, theme));
         let sought = seeking(plan, (theme, index), &enlarged);

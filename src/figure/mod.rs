@@ -26,6 +26,7 @@ mod frame;
 mod grounds;
 mod handle;
 mod inset;
+mod kept;
 mod label_keys;
 mod language;
 pub mod layer;
@@ -62,6 +63,7 @@ mod tongue;
 mod touching;
 mod unnamed;
 mod view;
+mod whole;
 
 #[cfg(test)]
 use crate::scene::Scene;

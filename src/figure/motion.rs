@@ -12,6 +12,7 @@ use super::clock::{self, Clock};
 use super::draw::{Figure, draw, draw_after};
 use super::fault::{Fault, Problem};
 use super::frame::{Frame, union};
+use super::kept::Kept;
 use super::label_keys::called;
 use super::limits::{MAX_POINTS, within};
 use super::plan::{Plan, panels_of, say};
@@ -60,6 +61,7 @@ fn at<'s>(still: &Plan<'s>, played: &Played, time: f64) -> Result<(Plan<'s>, Vec
         layout,
         page: still.page.clone(),
         warnings: Vec::new(),
+        kept: Kept::default(),
     };
     if problems.is_empty() { Ok((plan, sketched)) } else { Err(problems) }
 }

@@ -11,7 +11,7 @@ use super::context::{Context, Moment};
 use super::cue::Cue;
 use super::frame::{Extent, Frame};
 use super::inset::Inset;
-use super::layer::{LabelKey, Layer, Options};
+use super::layer::{LabelKey, Layer, Options, is_chart};
 use super::lettering::Lettering;
 use super::limits::MAX_POINTS;
 use super::page::Measures;
@@ -79,6 +79,11 @@ impl PanelPlan<'_> {
     pub(crate) fn labels(&self) -> impl Iterator<Item = &'static LabelKey> {
         let drawn = self.layers.iter().flat_map(|planned| planned.layer.labels);
         drawn.chain(self.unwritten.iter().copied())
+    }
+
+    /// Whether its lines stand for times and lengths.
+    pub(crate) fn is_chart(&self) -> bool {
+        self.layers.iter().any(|planned| is_chart(planned.layer))
     }
 
     /// With what the panel comes: its moment may be one that an algorithm finds.
@@ -158,7 +163,8 @@ impl PanelPlan<'_> {
     }
 
     /// What every layer draws in a panel.
-    fn drawn<'f>(&self, mut sketch: Sketch<'f>, context: &Context) -> Sketch<'f> {
+    fn drawn<'f>(&self, sketch: Sketch<'f>, context: &Context) -> Sketch<'f> {
+        let mut sketch = sketch.of_layers(self.layers.iter().map(|planned| planned.layer.name));
         for planned in &self.layers {
             if sketch.is_full() {
                 break;

@@ -3,8 +3,6 @@
 //! Everything that can be wrong with a figure is found here and said with its place in the scene, so that
 //! drawing a plan cannot fail.
 
-use std::sync::Arc;
-
 use crate::geometry::sort_by;
 use crate::scene::{self, Scene, Variant};
 
@@ -15,6 +13,7 @@ use super::describe::Account;
 use super::empty_view::empty_views;
 use super::exercise;
 use super::fault::{Fault, Problem};
+use super::kept::Kept;
 use super::label_keys::{called, label_keys, replaced};
 use super::language::Language;
 use super::layer::{EXPECTED, is_key};
@@ -24,10 +23,11 @@ use super::out_of_view::out_of_view;
 use super::page::{Layout, Measures, Page};
 use super::panel::PanelPlan;
 use super::resolve::Resolver;
-use super::runs::{Run, Runs};
+use super::runs::Runs;
 use super::sketch::Sketched;
 use super::text::{Across, Block, across, caption_of_words, check_texts, spoken};
 use super::theme::{self, Theme};
+use super::whole::of_the_whole;
 use super::{narrow, view};
 
 /// How many problems are told at most: a scene with more is none.
@@ -58,20 +58,8 @@ pub struct Plan<'s> {
     pub(crate) page: Page,
     /// What should be better, with its place in the scene.
     pub(crate) warnings: Vec<Problem>,
-}
-
-impl Plan<'_> {
-    /// The scene's own run, at the query's moment.
-    #[must_use]
-    pub(crate) fn own_run(&self) -> Arc<Run> {
-        self.runs.own(self.scene, self.scene.query.time)
-    }
-
-    /// All runs that the figure needed so far, in the order in which they were asked for.
-    #[must_use]
-    pub(crate) fn all_runs(&self) -> Vec<Arc<Run>> {
-        self.runs.all()
-    }
+    /// What the layers drew in the theme, for the first drawing in it.
+    pub(super) kept: Kept,
 }
 
 /// Resolves what a scene asks to show, in the theme of the house that it names.
@@ -151,11 +139,10 @@ fn resolve<'s>(
     theme: &'s Theme,
     mut problems: Vec<Problem>,
 ) -> Result<Plan<'s>, Vec<scene::Problem<Fault>>> {
-    let runs = Runs::of(scene, called(scene));
+    let (runs, mut warnings) = (Runs::of(scene, called(scene)), Vec::new());
     let measures = Measures::of(&scene.canvas, theme.text);
-    let mut warnings = Vec::new();
     let (all, mut panels) = panels_of(scene, &runs, &measures, &[], (&mut problems, &mut warnings));
-    let first = panels.first().map(|panel| panel.context(scene, &runs));
+    let first = of_the_whole(scene, &panels).map(|panel| panel.context(scene, &runs));
     let on_page = first.as_ref().map(|first| (first, &measures));
     let mut set =
         |block| on_page.map(|at| across(block, at, (&mut problems, &mut warnings))).unwrap_or_default();
@@ -185,13 +172,13 @@ fn resolve<'s>(
         let fitted = runs.overflow(scene).map_or(Ok(()), Err);
         let fitted = fitted.and_then(|()| fit((scene, &runs), theme, &mut layout, &mut panels));
         let said = fitted.and_then(|(sketched, fitted)| {
-            page = Some(fitted);
             warnings.extend(empty_views(&panels, &sketched));
-            say((scene, theme), &runs, &panels, &sketched, (&mut problems, &mut warnings))
+            let said = say((scene, theme), &runs, &panels, &sketched, (&mut problems, &mut warnings));
+            said.map(|()| page = Some((fitted, Kept::of(sketched))))
         });
         problems.extend(said.err().into_iter().chain(runs.overflow(scene)).map(Problem::from));
     }
-    if let Some(page) = page.filter(|_| problems.is_empty()) {
+    if let Some((page, kept)) = page.filter(|_| problems.is_empty()) {
         warnings.extend(replaced(scene, &runs.called).into_iter().chain(out_of_view(scene, &runs, &panels)));
         return Ok(Plan {
             scene,
@@ -205,6 +192,7 @@ fn resolve<'s>(
             layout,
             page,
             warnings,
+            kept,
         });
     }
     sort_by(&mut problems, |p, q| (p.span.start, p.span.end).cmp(&(q.span.start, q.span.end)));

@@ -26,7 +26,7 @@ impl Plan<'_> {
     pub fn say(&self, markup: &str) -> Result<String, Vec<Problem>> {
         let (mut problems, mut lacking) = (Vec::new(), Vec::new());
         let text = Spanned { value: markup.to_owned(), span: 0..0 };
-        let first = self.panels.first().map(|panel| panel.context(self.scene, &self.runs));
+        let first = self.of_the_whole().map(|panel| panel.context(self.scene, &self.runs));
         let said = first.and_then(|first| spoken(Some(&text), &first, (&mut problems, &mut lacking)));
         problems.extend(lacking);
         if problems.is_empty() { Ok(said.unwrap_or_default()) } else { Err(problems) }

@@ -31,7 +31,7 @@ const ABOVE: f64 = 100.0;
 ///
 /// A view is known only once its layers have drawn, and they draw in a view: so a panel without a `view` is
 /// sketched three times, in a first guess and in two better ones, of which the last stays. Where every panel
-/// has a `view`, once. [`draw`](super::draw::draw) sketches it again, in the theme that is asked for.
+/// has a `view`, once. [`draw`](super::draw::draw) sketches it again where another theme is asked for.
 ///
 /// # Errors
 ///

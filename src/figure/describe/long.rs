@@ -11,13 +11,14 @@ use crate::trace::told::is_by_component;
 use super::body::{body_in_words, kind_in_words};
 use super::number::Speech;
 use super::phrases::{
-    AT_BOUND, AT_CLOSEST, AT_END, AT_HIT, AT_START, AT_TIME, BESIDE, CONFIGURATION, EMPTY, ENLARGED, FOUND,
-    FOUND_AMONG, FOUND_AT_ONCE, FOUND_IN, FRAME, IN_STEP, PANEL, PICTURE, SHOWS, TURNED_FRAME, WORLD,
+    AT_BOUND, AT_CLOSEST, AT_END, AT_HIT, AT_START, AT_TIME, BESIDE, CHART, CONFIGURATION, EMPTY, ENLARGED,
+    FOUND, FOUND_AMONG, FOUND_AT_ONCE, FOUND_IN, FRAME, IN_STEP, PANEL, PICTURE, SHOWS, TURNED_FRAME, WORLD,
 };
 use super::result::Account;
 
-/// A paragraph for `desc`: the bodies, the question, the answer, the steps, the panels.
-pub(crate) fn long((scene, run): (&Scene, &Run), told: &Account, panels: &[&Panel]) -> String {
+/// A paragraph for `desc`: the bodies, the question, the answer, the steps, the panels, each with whether it
+/// is a chart.
+pub(crate) fn long((scene, run): (&Scene, &Run), told: &Account, panels: &[(&Panel, bool)]) -> String {
     let speech = Speech::of(scene);
     let mut text = String::new();
     for &index in &scene.query.of {
@@ -63,12 +64,12 @@ fn steps((scene, run): (&Scene, &Run), speech: Speech) -> String {
     }
 }
 
-/// What each panel shows: its space, its moment, its layers by name.
-pub(crate) fn shown(scene: &Scene, panels: &[&Panel]) -> String {
+/// What each panel shows: its space, or that it is a chart, its moment, its layers by name.
+pub(crate) fn shown(scene: &Scene, panels: &[(&Panel, bool)]) -> String {
     let speech = Speech::of(scene);
     let mut text = String::new();
     let many = panels.len() > 1;
-    for (i, panel) in panels.iter().enumerate() {
+    for (i, &(panel, is_chart)) in panels.iter().enumerate() {
         let title = panel.title.as_ref().map_or(String::new(), |t| format!(" ({})", plain(&t.value)));
         let which = if many {
             speech.say(&PANEL, &[&(i + 1).to_string(), &title])
@@ -80,7 +81,8 @@ pub(crate) fn shown(scene: &Scene, panels: &[&Panel]) -> String {
             text += &speech.say(&EMPTY, &[&which]);
             continue;
         }
-        let (space, when) = (space(scene, panel, speech), when(panel, speech));
+        let space = if is_chart { speech.0.word(&CHART).to_owned() } else { space(scene, panel, speech) };
+        let when = when(panel, speech);
         text += &speech.say(&SHOWS, &[&which, &space, &when, &layers.join(", ")]);
         text += if panel.inset.is_some() { speech.0.word(&ENLARGED) } else { ". " };
     }

@@ -244,6 +244,8 @@ phrases! {
         "; con un detalle ampliado. ";
     /// The space of bodies.
     WORLD: "the world", "die Welt", "le monde", "el mundo";
+    /// Numbers over time.
+    CHART: "a chart", "ein Diagramm", "un graphique", "una gráfica";
     /// The space of B ⊖ A.
     CONFIGURATION: "configuration space",
         "den Konfigurationsraum",

@@ -67,6 +67,11 @@ pub(super) fn leader(things: &Things, rect: &Rect, w: &Places) -> Option<Leader>
     {
         return Some(leader);
     }
+    onto(own, rect, w)
+}
+
+/// The leader line of a label in a box to the line of what it belongs to.
+pub(super) fn onto(own: &Thing, rect: &Rect, w: &Places) -> Option<Leader> {
     // The middle of a line where that is near enough, else the nearest point of it.
     let aimed = straight(own, rect, own.aim(rect.center()), w);
     let long = aimed.is_some_and(|line| line.length() > LONGEST);

@@ -19,7 +19,7 @@ use crate::drawing::{Offset, Point, Rect};
 use crate::figure::frame::Frame;
 
 use super::cost::{Surroundings, pair_cost};
-use super::leader::{LONGEST, Leader, is_far, leader};
+use super::leader::{LONGEST, Leader, is_far, leader, onto};
 use super::rect::DIRECTIONS;
 use super::reserve::{origin, resized};
 use super::seeker::Seeker;
@@ -199,15 +199,22 @@ fn shifted(seeker: &Seeker, place: &Candidate, by: Offset, weights: &Weights) ->
     let is_far = is_far(&seeker.things, &rect, &weights.places);
     let leader = match place.leader.map(|line| line.shifted(by)) {
         Some(line) if line.dot => still_in(seeker, line).or_else(|| line_to(seeker, &rect, weights)),
+        // An area in which no dot found room has none a frame later; to look for it is half of a search.
+        Some(_) => seeker.things.own.as_ref().and_then(|own| short(onto(own, &rect, &weights.places))),
         None if !is_far => None,
-        _ => line_to(seeker, &rect, weights),
+        None => line_to(seeker, &rect, weights),
     };
     (leader.is_some() || !is_far).then_some(Candidate { rect, leader, ..place.clone() })
 }
 
-/// The leader line of a label, if it is no longer than one may be.
+/// The leader line of a label.
 fn line_to(seeker: &Seeker, rect: &Rect, weights: &Weights) -> Option<Leader> {
-    leader(&seeker.things, rect, &weights.places).filter(|line| line.length() <= LONGEST)
+    short(leader(&seeker.things, rect, &weights.places))
+}
+
+/// A leader line, if it is no longer than one may be.
+fn short(line: Option<Leader>) -> Option<Leader> {
+    line.filter(|line| line.length() <= LONGEST)
 }
 
 /// A leader line whose dot still lies in the label's own area, and in no other one.

@@ -81,7 +81,10 @@ fn area(path: &Path, clip: Option<Rect>, opacity: f64) -> Option<Area> {
     let paint = path.fill.filter(|_| path.shown.until.is_none())?;
     let paint = paint.with_opacity(paint.opacity * opacity);
     let is_seen = paint.opacity > 0.0 && (paint.opacity < 1.0 || is_ground(paint.role));
-    let line = points(&path.contour).filter(|_| is_seen).and_then(Polyline::closed)?;
+    if !is_seen {
+        return None;
+    }
+    let line = points(&path.contour).and_then(Polyline::closed)?;
     Some(Area { line, clip, paint, shown: path.shown })
 }
 

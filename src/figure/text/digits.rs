@@ -8,6 +8,8 @@
 //! digits, would have two, as its ends lie on two sides of a half.
 
 use crate::geometry::{power_of_ten, read};
+
+use super::point::plain;
 use crate::trace::{TOLD, USUAL, WHOLE};
 
 /// Most digits in all: of a double's sixteen the last ones are rounding wherever it was computed.
@@ -234,10 +236,7 @@ fn in_digits(value: f64, digits: usize, zeros: Zeros) -> String {
     if !within.contains(&exponent) {
         return format!("{}e{exponent}", trimmed(mantissa));
     }
-    // The scientific form has rounded already; printing it again with enough decimals does not round twice.
-    let rounded = read(&scientific).unwrap_or(value);
-    let decimals = usize::try_from(exponent_of(digits) - 1 - exponent).unwrap_or(0);
-    trimmed(&format!("{rounded:.decimals$}"))
+    trimmed(&plain(mantissa, exponent))
 }
 
 #[cfg(test)]

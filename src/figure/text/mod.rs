@@ -21,6 +21,7 @@ mod outcome;
 mod overrides;
 mod places;
 mod plain;
+mod point;
 mod quantity;
 mod step_values;
 mod symbols;
