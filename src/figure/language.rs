@@ -78,7 +78,7 @@ pub(crate) static WORDS: &[Row] = &rows([
     ["looks the same", "", "sieht gleich aus", "paraît inchangé", "se ve igual"],
     ["turned $*$", "$*$", "um $*$ gedreht", "rotation de $*$", "giro de $*$"],
     ["depth $d*", "$d*", "Tiefe $d*", "profondeur $d*", "profundidad $d*"],
-    ["depth $=*", "$d =*", "Tiefe $=*", "profondeur $=*", "profundidad $=*"],
+    ["depth $=*", "$*", "Tiefe $=*", "profondeur $=*", "profundidad $=*"],
     ["distance $*", "$d *", "Abstand $*", "distance $*", "distancia $*"],
     ["gap $=*", "$*", "Lücke $=*", "écart $=*", "hueco $=*"],
     ["gap $\\approx 0$", "$\\approx 0$", "Lücke $\\approx 0$", "écart $\\approx 0$", "hueco $\\approx 0$"],

@@ -262,8 +262,11 @@ fn bars(context: &Context, options: &Options, e: Extents) -> Vec<Bar> {
     let lengths = [e.half[0], e.gap, e.half[1], (b - a).abs()];
     let ends = [[a, facing[0]], facing, [facing[1], b], [a, b]];
     let [second, third] = [1.0, 2.0].map(|n| lane(name, n));
-    // Beside the stretch that they share stands D, so each half-extent is named beside the rest of it.
-    let own = [Part([a, facing[1]]), Part([facing[0], b])];
+    // Beside the stretch that they share stands D, so each half-extent is named beside the rest of it, or
+    // where there is none beyond the end that the other one does not reach.
+    let rest =
+        |[from, to]: [f64; 2], beyond| if forward * (to - from) > 0.0 { Part([from, to]) } else { beyond };
+    let own = [rest([a, facing[1]], Last), rest([facing[0], b], First)];
     let (tracks, places) = match (e.gap < 0.0, name) {
         (true, 'x') => ([1.0, third, second, third + 1.0], [First, Outward, Last, Outward]),
         (true, _) => ([1.0, third, second, LAST[0]], [own[0], Outward, own[1], Outward]),
@@ -304,6 +307,31 @@ mod tests {
         assert_eq!(beside_body([-3.0, 2.0], Some([-1.0, 0.0])), [[-3.0, -2.0], [0.0, 2.0]]);
         // A body that begins before the guide does leaves the part behind it alone.
         assert_eq!(beside_body([-1.0, 2.0], Some([-1.0, 0.0])), [[0.0, 2.0]]);
+    }
+
+    #[test]
+    fn half_extents_that_reach_beyond_each_other_s_centres_are_named_at_their_own_bars() {
+        let text = "shapes.A = { kind = 'aabb', half_extents = [3, 2] }
+             shapes.B = { kind = 'aabb', half_extents = [1.5, 2.5], position = [3.8, 1.2] }
+             query = { kind = 'overlap', of = ['A', 'B'], algorithm = 'extents' }
+             panels = [{ layers = ['shapes', { layer = 'axis-gaps', axes = ['y'] }] }]";
+        let scene = open_text("deep.toml", text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "deep");
+        let lines = paths(&figure.drawing.items, "axis-y").into_iter().map(points);
+        let bars: Vec<Vec<Point>> =
+            lines.filter(|p| p.len() == 2 && p[0].x == p[1].x && (p[1] - p[0]).length() > 9.0).collect();
+        // From the label to the middle of the bar that is its own, and of the other.
+        let away = |key: &str, bar: &[Point]| {
+            let label = figure.panels[0].placed.iter().find(|label| label.key == key).unwrap();
+            let [p, q] = [bar[0], bar[1]];
+            let y = label.bounds.center().y.clamp(p.y.min(q.y), p.y.max(q.y));
+            (label.bounds.center() - Point::new(p.x, y)).length()
+        };
+        for (key, own, other) in [("h.A.y", &bars[0], &bars[2]), ("h.B.y", &bars[2], &bars[0])] {
+            let (near, far) = (away(key, own), away(key, other));
+            assert!(near < far, "{key}: {near} from its own, {far} from the other");
+        }
     }
 
     #[test]

@@ -168,6 +168,13 @@ mod tests {
         let at = figure.panels[0].frame.page(crate::geometry::DVec2::new(1.0, 0.5));
         let label = figure.panels[0].placed.iter().find(|placed| placed.key == "expected").unwrap();
         assert!((label.bounds.center() - at).length() < 80.0, "it stands at the point that was expected");
+        for list in ["'expected', 'separation'", "'separation', 'expected'"] {
+            let text = text(given).replace("'shapes', 'expected'", list);
+            let scene = open_text("s.toml", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let labels = self::labels(&draw(&plan, plan.theme, "s"));
+            assert!(!labels.contains_key("ours"), "{list}: `separation` says it");
+        }
         let silent = open_text("s.toml", &text("")).unwrap().scene;
         assert!(plan(&silent).is_err(), "nothing is expected");
     }

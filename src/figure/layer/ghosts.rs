@@ -74,7 +74,8 @@ pub(super) const LAYER: Layer = Layer {
             ]),
             default: "\"hit\"",
             about: "when, or overlapping bodies \"separated\" by the minimum translation, or by the \
-                next local minimum, a longer push, \"now\" where they are, or at every step",
+                next local minimum, a longer push, \"now\" where they are, or at every step, of more than \
+                five at those farthest apart in time",
         },
         OptionSpec {
             name: "fill",
@@ -317,8 +318,26 @@ fn label(options: &Options, side: Side, outline: &Outline, lines: Vec<String>) -
     if let Some(text) = options.words("text") { label.given(text) } else { label }
 }
 
-/// Draws the body at each step after the first, each with its time or number; of more than [`MOST`] the first
-/// ones and the last, which is named.
+/// Steps before the last with their numbers: of more than [`MOST`] those that are farthest from each other,
+/// from the start and from the last in time, one by one. An advancement closes in, and its last steps lie on
+/// each other.
+fn apart(before: &[f64], last: f64) -> Vec<(usize, f64)> {
+    let mut kept: Vec<usize> = Vec::new();
+    while kept.len() + 1 < MOST && kept.len() < before.len() {
+        let room = |i: usize| {
+            let taken = kept.iter().map(|&k| before[k]).chain([0.0, last]);
+            taken.map(|time| (time - before[i]).abs()).fold(f64::INFINITY, f64::min)
+        };
+        // Of several the first.
+        let free = (0..before.len()).rev().filter(|i| !kept.contains(i));
+        kept.extend(free.max_by(|&i, &j| room(i).total_cmp(&room(j))));
+    }
+    kept.sort_unstable();
+    kept.into_iter().map(|i| (i + 2, before[i])).collect()
+}
+
+/// Draws the body at each step after the first, each with its time or number; of more than [`MOST`] those
+/// that are [`apart`] and the last, which is named.
 fn steps(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) {
     // What rests is nowhere else at any step.
     if options.words("of").is_none() && context.pose(side, 0.0) == context.pose(side, 1.0) {
@@ -332,9 +351,8 @@ fn steps(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) 
         if numbered { format!("$t_{{{step}}}$") } else { format!("$t = {}$", number(time)) }
     };
     let at = |then: String| format!("{} at {then}", context.named(side).primed(0));
-    // An advancement closes in: its first steps are the ones that differ.
-    let kept = before.get(..MOST - 1).unwrap_or(before);
-    for ((step, &time), opacity) in (2..).zip(kept).zip(fade(SERIES, kept.len())) {
+    let kept = apart(before, last);
+    for (&(step, time), opacity) in kept.iter().zip(fade(SERIES, kept.len())) {
         sketch.since(context.known(&When::Step(step)));
         let (wash, pen) = look(options, role);
         if let Some(outline) = context.outline(side, time) {

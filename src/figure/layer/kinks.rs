@@ -15,6 +15,13 @@ const HALVINGS: usize = 40;
 /// Half of what is looked at around such a time to tell how sharp the kink is, in parts of a sample's time.
 const AROUND: f64 = 0.25;
 
+/// How much nearer a kink is looked at a second time, to tell it from a smooth bend.
+const CLOSER: f64 = 1.0 / 256.0;
+
+/// How much of its bend a kink has left there at least: one whose sides are straight all, a smooth bend
+/// [`CLOSER`] of it.
+const SHARP: f64 = 0.5;
+
 /// How much less steep than the sharpest a kink may be to be marked: less is no kink to the eye.
 const FAINTEST: f64 = 0.1;
 
@@ -71,8 +78,16 @@ fn turns(context: &Context, points: &[DVec2]) -> Vec<(DVec2, f64)> {
         if let Some((before, vertex)) = last.filter(|&(_, vertex)| vertex != now) {
             let time = when(before, point.x, |time| nearest(&at(time)) == Some(vertex));
             let h = AROUND * (point.x - before);
-            let [s, here, t] = [time - h, time, time + h].map(|time| at(time).separation);
-            found.push((DVec2::new(time, here), (s - 2.0 * here + t).abs() / h));
+            let here = at(time).separation;
+            let bend = |h: f64| {
+                let [s, t] = [time - h, time + h].map(|time| at(time).separation);
+                (s - 2.0 * here + t).abs() / h
+            };
+            // What bends smoothly, as about a vertex, is the straighter the nearer one looks.
+            let [closer, bend] = [CLOSER * h, h].map(bend);
+            if closer >= SHARP * bend {
+                found.push((DVec2::new(time, here), bend));
+            }
         }
         last = Some((point.x, now));
     }
@@ -126,5 +141,19 @@ mod tests {
         // And again as it stands upright.
         assert_eq!(kinks(180.0), (2, true));
         assert_eq!(kinks(0.0), (0, false));
+    }
+
+    #[test]
+    fn a_vertex_that_goes_smoothly_from_an_edge_to_a_vertex_has_no_kink_there() {
+        // Above the top of B first, then beside its upper right vertex, to which an edge of A comes nearest.
+        let text = "shapes.A = { kind = 'polygon', vertices = [[0, -1], [1, 0], [0, 1], [-1, 0]],
+                position = [-2, 4], velocity = [10, -2] }
+            shapes.B = { kind = 'box', half_extents = [2, 1] }
+            query = { kind = 'time-of-impact', of = ['A', 'B'], algorithm = 'conservative-advancement' }
+            panels = [{ view = [0, 0, 4, 3], layers = [{ layer = 'graph', kink = true }] }]";
+        let scene = open_text("smooth", text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "smooth");
+        assert_eq!(paths(&figure.drawing.items, "kink").len(), 0);
     }
 }

@@ -14,6 +14,7 @@ mod line;
 mod look;
 mod marker;
 mod measure;
+mod neighbours;
 mod outline;
 mod overlap;
 mod pen;
@@ -68,6 +69,8 @@ pub(crate) struct Sketch<'f> {
     unit: f64,
     /// What the layers drew so far, a group each, with a group for each part.
     layers: Vec<Group>,
+    /// The names of all layers of the panel, drawn already or not.
+    names: Vec<&'static str>,
     /// The number of the current part.
     part: usize,
     /// How much labels mind what is drawn now.
@@ -146,6 +149,7 @@ impl<'f> Sketch<'f> {
             theme,
             unit,
             layers: Vec::new(),
+            names: Vec::new(),
             part: 0,
             weight: Weight::Normal,
             labels: true,
@@ -175,12 +179,6 @@ impl<'f> Sketch<'f> {
         self.labels = labels;
         self.cues.rest();
         self.part(name);
-    }
-
-    /// Whether a layer of this name has been drawn.
-    #[must_use]
-    pub(crate) fn has_layer(&self, name: &str) -> bool {
-        self.layers.iter().any(|layer| layer.name == name)
     }
 
     /// What all layers drew and asked for.

@@ -75,6 +75,22 @@ mod tests {
     }
 
     #[test]
+    fn a_text_of_a_contact_that_has_one_point_has_a_dash_for_the_shallower_of_two() {
+        let words = |y: f64| {
+            let text = format!(
+                "caption = '{{=contacts}}, {{=shallow}}, {{=contact.a.x}}'
+                shapes.floor = {{ kind = 'aabb', half_extents = [5, 1] }}
+                shapes.B = {{ kind = 'circle', radius = 1, position = [0, {y}] }}
+                query = {{ kind = 'contact', of = ['floor', 'B'] }}"
+            );
+            let scene = open_text("s.toml", &text).unwrap().scene;
+            plan(&scene).unwrap().caption.words.clone().unwrap()
+        };
+        assert_eq!(words(1.5), "1, –, 0");
+        assert_eq!(words(9.0), "–, –, –", "they are apart");
+    }
+
+    #[test]
     fn in_the_panel_of_a_body_the_deepest_point_is_where_its_frame_has_it() {
         let text =
             "shapes.floor = { kind = 'box', half_extents = [5, 1], position = [10, 20], angle_deg = 90 }

@@ -12,10 +12,13 @@ use super::digits::Digits;
 use super::givers::givers;
 use super::number::{USUAL, in_math, in_words};
 use super::outcome::another_answer_has;
-use super::values::{VALUES, value_of};
+use super::values::{VALUES, Value, value_of};
 
 /// What stands for a value that this answer lacks and another one has, in words and in formulas.
 const LACKING: [&str; 2] = ["–", r"\text{–}"];
+
+/// What the names of values of a panel's step begin with.
+const OF_A_STEP: &str = "step.";
 
 /// How much of a text is quoted where a value in it has no end, in letters.
 const QUOTED: usize = 24;
@@ -51,16 +54,7 @@ pub(crate) fn fill(
                 lacking.push(name.to_owned());
                 continue;
             }
-            let fault = match givers(name, context) {
-                Some(givers) => {
-                    let message = format!("this answer has no `{name}`: {givers}");
-                    let help = format!("leave `{{={name}}}` out of the text, or ask a question that has it");
-                    scene::Fault::Conflict { message, help }
-                }
-                None => {
-                    scene::Fault::UnknownWord { what: "value", got: name.to_owned(), known: known(context) }
-                }
-            };
+            let fault = lacking_fault(name, context);
             return Err(Problem::new(fault.into(), at.clone()));
         };
         let Some(digits) = digits else {
@@ -78,6 +72,30 @@ pub(crate) fn fill(
     }
     out.push_str(rest);
     Ok((out, lacking))
+}
+
+/// What is wrong with a value that no answer to the question has. On a page of a figure that was drawn no
+/// text is new, and nobody is told more.
+fn lacking_fault(name: &str, context: &Context) -> scene::Fault {
+    let lacks = format!("this answer has no `{name}`");
+    if cfg!(tracefig_page) {
+        return scene::Fault::Conflict { message: lacks, help: String::new() };
+    }
+    let (message, help) = match givers(name, context) {
+        Some(_) if name.starts_with(OF_A_STEP) && context.step.is_none() => {
+            let help = "write it in a text of a panel that has a `step`".to_owned();
+            (format!("`{name}` is of a step, and this text is of none"), help)
+        }
+        Some(givers) => {
+            let help = format!("leave `{{={name}}}` out of the text, or ask a question that has it");
+            (format!("{lacks}: {givers}"), help)
+        }
+        None => {
+            let known = known(context);
+            return scene::Fault::UnknownWord { what: "value", got: name.to_owned(), known };
+        }
+    };
+    scene::Fault::Conflict { message, help }
 }
 
 /// What stands in the braces at the beginning of a text, and what comes after them.
@@ -98,9 +116,11 @@ pub(crate) fn filled(text: &Spanned<String>, context: &Context) -> Option<String
     (filled != text.value).then_some(filled)
 }
 
-/// The names of the values that this query has, in the order of the table.
+/// The names of the values that this query has, or has where it is answered otherwise, in the order of the
+/// table.
 fn known(context: &Context) -> Vec<String> {
-    VALUES.iter().filter(|v| (v.of)(context).is_some()).map(|v| v.name.to_owned()).collect()
+    let has = |value: &&Value| (value.of)(context).is_some() || another_answer_has(value.name, context);
+    VALUES.iter().filter(has).map(|value| value.name.to_owned()).collect()
 }
 
 #[cfg(test)]
@@ -160,6 +180,14 @@ mod tests {
         assert!(problems[0].contains("`{=time:3}`") && problems[0].contains("`.3g`"), "{problems:?}");
         let problems = drawn("caption = '{=tim:.3}'").unwrap_err();
         assert!(problems[0].contains("unknown value `tim`"), "{problems:?}");
+    }
+
+    #[test]
+    fn a_value_of_a_step_in_a_text_of_none_says_where_it_has_one() {
+        let told = drawn("caption = '{=step.separation}'").unwrap_err();
+        assert_eq!(told, ["`step.separation` is of a step, and this text is of none"]);
+        let told = drawn("caption = '{=foo}'").unwrap_err();
+        assert_eq!(told, ["unknown value `foo`"]);
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! The values that hang on how an answer turns out: a text may name one that this answer lacks, if another
 //! has it.
 
+use crate::collision::QueryKind;
 use crate::figure::context::Context;
 
 use super::values::separation;
@@ -19,11 +20,22 @@ static OF_THE_OUTCOME: &[(&str, Asks)] = &[
     ("hit.n.x", |context| context.asks_for_a_hit()),
     ("hit.n.y", |context| context.asks_for_a_hit()),
     ("bound", |context| context.asks_for_a_hit()),
+    ("contacts", asks_for_contact),
+    ("shallow", asks_for_contact),
+    ("contact.a.x", asks_for_contact),
+    ("contact.a.y", asks_for_contact),
+    ("contact.b.x", asks_for_contact),
+    ("contact.b.y", asks_for_contact),
     ("step.next", |context| context.step.is_some()),
     ("step.bound", |context| context.asks_for_a_hit()),
     ("step.moving", |context| context.asks_for_a_hit()),
     ("step.turning", |context| context.asks_for_a_hit()),
 ];
+
+/// Whether the question is for a contact: of one point or two, or of none.
+fn asks_for_contact(context: &Context) -> bool {
+    context.scene.query.kind == QueryKind::Contact
+}
 
 /// Whether another answer to the question has the value of that name, where this one lacks it.
 pub(crate) fn another_answer_has(name: &str, context: &Context) -> bool {
@@ -60,6 +72,7 @@ mod tests {
             "kind = 'time-of-impact', algorithm = 'conservative-advancement'",
             "kind = 'linear-sweep'",
             "kind = 'separation'",
+            "kind = 'contact'",
         ] {
             // A hit, a miss and an overlap.
             let all = [4.0, 9.0, 1.0].map(|x| values(query, x));
