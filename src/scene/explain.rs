@@ -164,9 +164,12 @@ mod tests {
             line.contains(r#"a scene is one, as: \"shapes\": {\"A\": { \"kind\": \"circle\","#),
             "{line}"
         );
-        let line = solve_jsonl_line(r#"{"shapes": {}, "query": [{}]}"#, 1).line;
+        let line =
+            solve_jsonl_line(r#"{"shapes": {"A": {"kind": "circle", "radius": 1}}, "query": [{}]}"#, 1).line;
         assert!(line.contains(r#"there is one alone: \"query\": {…}"#), "{line}");
-        let line = open_jsonl_line(r#"{"query": 3, "shapes": {}}"#, 1).unwrap_err().render(Ink::Plain);
+        let line = open_jsonl_line(r#"{"query": 3, "shapes": {"A": {"kind": "circle", "radius": 1}}}"#, 1)
+            .unwrap_err()
+            .render(Ink::Plain);
         assert!(line.contains("expected an object, got 3"), "{line}");
     }
 

@@ -69,6 +69,11 @@ fn scene(root: &Node, p: &mut Problems) -> Option<Scene> {
 fn bodies(top: &Checked<'_>, p: &mut Problems) -> Vec<body::Read> {
     let Some(node) = top.get("shapes") else { return Vec::new() };
     let entries = node.entries().unwrap_or_default();
+    // A page has read its scene before.
+    if !cfg!(tracefig_page) && node.entries().is_some_and(<[_]>::is_empty) {
+        let (expected, got) = ("a table of at least one shape".to_owned(), "an empty one".to_owned());
+        p.add(Fault::WrongType { key: "shapes".to_owned(), expected, got }, &node.span);
+    }
     if let Some((key, _)) = entries.get(MAX_SHAPES) {
         too_many("`shapes`", MAX_SHAPES, "shapes", entries.len(), &key.span, p);
     }
@@ -94,11 +99,11 @@ fn language(top: &Checked<'_>, p: &mut Problems) -> Option<Spanned<String>> {
     None
 }
 
-/// Whether a text is the tag of a language, as "de" or "pt-BR".
+/// Whether a text is the tag of a language, as "de" or "pt-BR"; none begins with more than three letters.
 fn is_tag(text: &str) -> bool {
     let mut parts = text.split('-');
     let first = parts.next().unwrap_or("");
-    (2..=8).contains(&first.len())
+    (2..=3).contains(&first.len())
         && first.bytes().all(|b| b.is_ascii_alphabetic())
         && parts.all(|part| (1..=8).contains(&part.len()) && part.bytes().all(|b| b.is_ascii_alphanumeric()))
 }
@@ -110,6 +115,23 @@ pub(crate) fn id_span(root: &Node) -> Option<Range<usize>> {
 
 #[cfg(test)]
 mod tests {
+    #[test]
+    fn a_scene_of_no_shapes_is_told_what_it_lacks() {
+        for text in [
+            "[shapes]\n[query]\nkind = 'separation'\nof = ['A', 'B']",
+            "shapes = {}\nquery = { kind = 'bounds', of = ['A'] }",
+            "{\"shapes\": {}, \"query\": {\"kind\": \"bounds\", \"of\": [\"A\"]}}",
+        ] {
+            let refused = crate::scene::open_text("s", text).unwrap_err();
+            let told: Vec<String> = refused.problems.iter().map(|p| p.fault.to_string()).collect();
+            assert_eq!(
+                told,
+                ["`shapes`: expected a table of at least one shape, got an empty one"],
+                "{text}"
+            );
+        }
+    }
+
     use crate::scene::{open_text, solve_jsonl_line};
 
     #[test]
@@ -122,6 +144,11 @@ mod tests {
             assert!(told(lang).unwrap().contains("`de-DE`"), "{lang}");
         }
         assert_eq!(told("german!"), None);
+        // No language has a tag of more than three letters: what it would be is for nobody to guess.
+        let word = |lang: &str| open_text("s.toml", &format!("lang = '{lang}'")).unwrap_err();
+        let is_told = |lang: &str| word(lang).problems.iter().any(|p| p.fault.code() == "wrong-type");
+        let told = ["German", "klingon", "en", "gsw", "pt-BR", "zh-Hant"].map(is_told);
+        assert_eq!(told, [true, true, false, false, false, false]);
     }
 
     #[test]
