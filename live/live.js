@@ -28,6 +28,15 @@ class Figure extends Edited {
         if (figure.around) figure.shown();
         else figure.build();
         root.dataset.drawn = "";
+        figure.warm(request);
+    }
+
+    // Drags a handle where nobody sees it, by a pixel a frame.
+    warm(request) {
+        const handle = this.info.handles.find(({ at }) => at);
+        if (!handle) return;
+        const dragged = (frame) => each(handle.value, (value) => value + frame * grainOf(handle));
+        Engine.warm(request, (frame) => handle.paths.map((path) => [path, dragged(frame)]));
     }
 
     constructor(root, request, alone) {

@@ -1,6 +1,9 @@
 // The module that draws, and the picture on the page: of each new text of it only what differs is changed.
 
 let compiled; // The module, of all figures of a page.
+let isWarm = false;
+const FRAMES = 32; // Frames that nobody sees,
+const WARMING = 500; // and the milliseconds that they may take together.
 const [DECODER, ENCODER] = [new TextDecoder(), new TextEncoder()];
 function compile() {
     const inline = () => document.getElementById("tracefig-module").textContent.trim();
@@ -31,6 +34,24 @@ class Engine {
     async open() {
         this.x = (await WebAssembly.instantiate(await (compiled ??= compile()), {})).exports;
         if (!this.tell("tf_open", this.request)) throw new Error(this.info.error);
+    }
+
+    // Draws frames of a drag that nobody sees, while the page rests: what runs often the browser compiles
+    // better, and the first frames that someone sees are as fast as the later ones. `edits` gives those of
+    // each frame. One figure of a page does it for all.
+    static async warm(request, edits) {
+        if (isWarm || !globalThis.requestIdleCallback) return;
+        isWarm = true;
+        const engine = await Engine.start(request);
+        let left = WARMING;
+        const stop = () => { left = 0; };
+        for (const act of ["pointerdown", "keydown"]) addEventListener(act, stop, { once: true });
+        for (let frame = 0; frame < FRAMES && left > 0; frame++) {
+            await new Promise((resolve) => requestIdleCallback(resolve));
+            const start = performance.now();
+            if (engine.set(edits(frame))) engine.draw();
+            left -= performance.now() - start;
+        }
     }
 
     // What the last call had to say.
@@ -77,27 +98,37 @@ const attributesOf = (tag) => new Map(Array.from(tag.matchAll(ATTRIBUTE), (m) =>
 const HEAD = /^<([\w:-]+)(?: id="([^"]*)")?[^>]*>/;
 const ofText = (rest) => /^[^<]*/.exec(rest)[0];
 
-// The tree of a text that tracefig wrote: nodes with tag, name, id and kids, and their places in `tags`. Each
-// tag that opens an element begins a line; `lines` has the nodes by those.
-function treeOf(tags, lines) {
+// The tree of a text that tracefig wrote, the element that begins in its line `first`: nodes with tag, name,
+// id and kids, their places in `tags`, and their first and last lines. Each tag that opens an element begins
+// a line; `lines` has the nodes by those, from `first`.
+function treeOf(tags, lines, first = 0) {
     const top = { kids: [] };
     const open = [top];
     let line = 0;
-    for (let i = 0; i < tags.length; i++) {
+    for (let i = 0; open.length > 0 && i < tags.length; i++) {
         const tag = tags[i];
         const inner = open[open.length - 1];
         if (tag[0] !== "<") inner.kids.push({ tag, name: "#text", kids: null, from: i, to: i });
-        else if (tag[1] === "/") open.pop().to = i;
+        else if (tag[1] === "/") Object.assign(open.pop(), { to: i, last: first + line });
         else {
             const [, name, id] = HEAD.exec(tag);
-            const node = { tag, name, id, kids: [], from: i, to: i };
+            const node = { tag, name, id, kids: [], from: i, to: i, line: first + line, last: first + line };
             inner.kids.push(node);
             lines[line] = node;
             if (!tag.endsWith("/>")) open.push(node);
         }
         if (tag[0] !== "<" && tag.includes("\n")) line += tag.split("\n").length - 1;
     }
-    return top.kids.find((node) => node.name === "svg");
+    return top.kids.find((node) => node.kids);
+}
+
+// How many lines at the beginning of two texts are the same, and how many after those at their ends.
+function alike(old, now) {
+    const least = Math.min(old.length, now.length);
+    let [begin, end] = [0, 0];
+    while (begin < least && old[begin] === now[begin]) begin += 1;
+    while (begin + end < least && old[old.length - 1 - end] === now[now.length - 1 - end]) end += 1;
+    return [begin, end];
 }
 
 // Which old child each next one goes on as: that of its id, or else, in their order, one of its name that
@@ -156,12 +187,43 @@ class Picture {
 
     // Shows another text; whether all elements stayed.
     patch(text) {
-        if (this.redress(text.split("\n"))) return true;
-        const tags = text.match(TAG);
-        const before = this.shown;
-        this.take(text, tags);
-        this.morph(before, this.shown, tags);
+        const lines = text.split("\n");
+        if (this.redress(lines)) return true;
+        const [begin, end] = alike(this.lines, lines);
+        const last = this.lines.length - 1;
+        const holds = ({ kids, line, last: close }) => kids && line < begin && close > last - end;
+        if (!holds(this.shown)) {
+            const tags = text.match(TAG);
+            const before = this.shown;
+            this.take(text, tags);
+            this.morph(before, this.shown, tags);
+            return false;
+        }
+        // Read is what holds all that differs, and nothing around it.
+        let [around, inner] = [undefined, this.shown];
+        for (let kid = inner; kid; kid = inner.kids.find(holds)) [around, inner] = [inner, kid];
+        this.renew(inner, around, lines);
         return false;
+    }
+
+    // Makes an element, which lies in another one, that of other lines; all around it is as it was.
+    renew(old, around, lines) {
+        const { last } = old;
+        const more = lines.length - this.lines.length;
+        // What lies around it may close in its last line.
+        const tags = lines.slice(old.line, last + 1 + more).join("\n").match(TAG);
+        const nodes = [];
+        const next = treeOf(tags, nodes, old.line);
+        this.morph(old, next, tags);
+        if (old === this.shown) this.shown = next;
+        else around.kids[around.kids.indexOf(old)] = next;
+        const after = this.nodes.slice(last + 1);
+        after.forEach((node) => { node.line += more; });
+        this.nodes.forEach((node) => { if (node.last >= last) node.last += more; });
+        this.nodes.length = old.line;
+        nodes.length = last + 1 + more - old.line;
+        this.nodes = this.nodes.concat(nodes, after);
+        this.lines = lines;
     }
 
     // Sets what differs in a text of the same elements, line by line; whether it is one. Most frames are.

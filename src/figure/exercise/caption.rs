@@ -19,7 +19,7 @@ pub(crate) fn caption(
     measures: &Measures,
     problems: &mut Vec<Problem>,
 ) -> Option<Across> {
-    let exercise = scene.exercise.as_ref()?;
+    let exercise = of_a_sheet(scene)?;
     check(scene, runs, exercise, problems);
     let (head, way) = match scene.variant {
         Variant::Figure => return None,
@@ -42,9 +42,14 @@ pub(crate) fn caption(
 
 /// The words of a question for those who do not see it; `None` for other variants.
 pub(crate) fn spoken(scene: &Scene, runs: &Runs) -> Option<String> {
-    let exercise = scene.exercise.as_ref().filter(|_| scene.variant == Variant::Question)?;
+    let exercise = of_a_sheet(scene).filter(|_| scene.variant == Variant::Question)?;
     // A blank has no sound.
     Some(task(scene, runs, exercise).iter().map(|text| plain(text)).collect::<Vec<_>>().join(" "))
+}
+
+/// The exercise of a scene; what lives on a page is the figure, which asks nothing.
+fn of_a_sheet(scene: &Scene) -> Option<&Exercise> {
+    if cfg!(tracefig_page) { None } else { scene.exercise.as_ref() }
 }
 
 /// Tells what an exercise asks for and hides that there is not. That this answer lacks what is asked for is
