@@ -274,6 +274,23 @@ fn a_body_that_reaches_farther_than_106_bits_leaves_no_false_depth() {
 }
 
 #[test]
+fn bodies_as_deep_in_each_other_as_their_radii_do_not_touch() {
+    // The core of B starts in the middle of the box: each is as deep in the other as ρ, which squares alike.
+    for exponent in [0, 15, 30, 45, 90] {
+        for names in [r#"["A", "B"]"#, r#"["B", "A"]"#] {
+            let found = answer(&format!(
+                r#"{{"shapes": {{"A": {{"kind": "aabb", "half_extents": [0.5, 0.5]}}, "B": {{"kind": "capsule",
+                "points": [[1e{exponent}, 0], [0, 0]], "radius": 0.5, "angle_deg": 0.0625}}}},
+                "query": {{"kind": "separation", "of": {names}}}}}"#
+            ));
+            let bounds = found.get("separation_bounds").unwrap().list();
+            let [lo, hi] = [&bounds[0], &bounds[1]].map(|end| end.number().unwrap());
+            assert!(lo <= -1.0 && (-1.0..0.0).contains(&hi), "1e{exponent}, {names}: {lo} to {hi}");
+        }
+    }
+}
+
+#[test]
 fn bodies_too_small_for_their_distance_are_as_far_as_they_are_both_ways_round() {
     // Beside 1e218 the products of the box's edges are below all doubles.
     for [half, radius] in [["8e-62", "0.5625"], ["8e-62", "0"], ["1e-9", "0.5"]] {

@@ -274,15 +274,18 @@ fn is_zero(pair: &Pair, balls: &BallPair, found: &Found) -> bool {
                 && balls.drop_below(Side::A, i, &reversed(&p)) == 0.0
         }
         Contact::Edge(measured) => {
-            let along = balls.edge(measured.facing.source, measured.facing.edge);
+            let DifferenceEdge { source, edge, .. } = measured.facing;
+            let along = balls.edge(source, edge);
             let [i, j] = measured.facing.start();
             let area = cross(&along, &balls.between(i, j));
-            let polynomial = if radius == Ball::ZERO {
-                area
+            let gap = if source == Side::A { -area } else { area };
+            // Where the cores are ρ deep in each other the squares are the same as where they are ρ apart.
+            let is_as_far = if radius == Ball::ZERO {
+                gap.sign() == Some(0)
             } else {
-                squared(area) - squared(radius) * dot(&along, &along)
+                gap.is_positive() && (squared(gap) - squared(radius) * dot(&along, &along)).sign() == Some(0)
             };
-            polynomial.sign() == Some(0) && holds_foot(pair, balls, &measured)
+            is_as_far && holds_foot(pair, balls, &measured)
         }
     }
 }
