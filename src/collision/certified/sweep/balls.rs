@@ -177,9 +177,10 @@ impl Ray<'_, '_> {
             Side::A => dot(&minus(&self.balls.between(edge, k), &run), &e),
             Side::B => dot(&minus(&run, &self.balls.between(k, edge)), &e),
         };
-        let (p, q) = (along(ends[0]), along(ends[1]));
-        let ((low, first), (high, last)) =
-            if (p - q).value.hi <= 0.0 { ((p, ends[0]), (q, ends[1])) } else { ((q, ends[1]), (p, ends[0])) };
+        // Which end is lower is asked of the parallel edge: beside a long run it is lost in rounding.
+        let falls = |k: usize| dot(&self.balls.edge(source.other(), k), &e).value.hi < 0.0;
+        let [first, last] = if measured.partner.is_some_and(falls) { [ends[1], ends[0]] } else { ends };
+        let (low, high) = (along(first), along(last));
         let (start, end) = (a_then_b(source, edge, last), a_then_b(source, own.next(edge), first));
         match (high.sign(), (low - dot(&e, &e)).sign()) {
             (Some(-1), _) => MeetingPoint::Beyond(start),
@@ -215,8 +216,8 @@ impl Ray<'_, '_> {
             Some(touches @ (0 | 1)) => {
                 let c = dot(&p, &p) - radius * radius;
                 let last = TimeQuotient { numerator: c, denominator: along + discriminant.sqrt() };
-                let first = if touches == 0 { None } else { self.meets_tangent(vertex, last) };
-                let time = Enclosure { lo: first.unwrap_or(last).doubles().lo, hi: last.doubles().hi };
+                let first = if touches == 0 { last } else { self.meets_tangent(vertex, last) };
+                let time = Enclosure { lo: first.doubles().lo, hi: last.doubles().hi };
                 Entry::At { feature, time, contact: None }
             }
             Some(_) => self.passes(vertex, across.sign().unwrap_or(0)),
@@ -226,18 +227,17 @@ impl Ray<'_, '_> {
 
     /// When the ray meets the tangent of B ⊖ A that is square to the normal of a disc's entry: not later than
     /// it meets B ⊖ A itself.
-    fn meets_tangent(&self, [i, j]: [usize; 2], entry: TimeQuotient) -> Option<TimeQuotient> {
+    fn meets_tangent(&self, [i, j]: [usize; 2], entry: TimeQuotient) -> TimeQuotient {
         let (p, v, t) = (self.balls.between(i, j), self.direction(), entry.value().value.hi);
         let n = DVec2::new(p[0].value.hi - t * v.x, p[1].value.hi - t * v.y);
         let n = n / length(n);
-        if !n.is_finite() {
-            return None;
-        }
-        let n = [Ball::new(n.x), Ball::new(n.y)];
+        let unit = [Ball::new(n.x), Ball::new(n.y)];
+        // Of a disc so far away that doubles lose its normal the tangent square to the ray is as true.
+        let is_faced = n.is_finite() && dot(&unit, &self.v).is_positive();
+        let n = if is_faced { unit } else { self.v };
         let drop = self.balls.drop_below(Side::B, j, &n) + self.balls.drop_below(Side::A, i, &reversed(&n));
         let gap = dot(&n, &p) - Ball::exact(self.pair.radius) * dot(&n, &n).sqrt();
-        let closing = dot(&n, &self.v);
-        closing.is_positive().then(|| TimeQuotient { numerator: gap.widen(drop), denominator: closing })
+        TimeQuotient { numerator: gap.widen(drop), denominator: dot(&n, &self.v) }
     }
 
     /// How much farther back along the ray B ⊖ A may reach than a vertex of it, times |v|: 0 where that is

@@ -163,6 +163,20 @@ mod tests {
     }
 
     #[test]
+    fn bodies_that_overlap_at_the_start_do_not_meet_at_a_far_end() {
+        // The far end of the long one is passed in the first 2e-40 of the motion.
+        let long = polygon(&[[3.0, 0.0625], [-2.5e28, 0.0625]], 2.0);
+        let short = placed(polygon(&[[0.5, 0.0], [0.0, 0.0]], 0.5), 3.0, 0.0, 0.0);
+        for speed in [1e30, 1e50, 1.62e68] {
+            let (a, b) = (moving(long.clone(), [speed, 0.0], 0.0), moving(short.clone(), [-3.0, -1.0], 0.0));
+            for sweep in [Sweep::new(&a, &b), Sweep::new(&b, &a)] {
+                let outcome = sweep.first_contact();
+                assert!(matches!(outcome, Outcome::Overlapping { .. }), "{speed:e}: {outcome:?}");
+            }
+        }
+    }
+
+    #[test]
     fn a_box_that_slides_along_another_and_nears_it_by_1e_15_of_its_way_meets_it_at_one_time() {
         // Doubles do not tell when it meets the edge's line: axes left a hundredth of the motion open.
         let angle = -124.198_695_929_808_24;
