@@ -42,6 +42,7 @@ mod page;
 mod panel;
 mod placement;
 mod plan;
+mod plan_runs;
 mod played;
 mod playhead;
 mod printed;

@@ -1,17 +1,12 @@
-//! The runs of a plan, and what texts of a whole figure speak of: its headline, its caption, its alternative
-//! text.
+//! What texts of a whole figure speak of: its headline, its caption, its alternative text.
 //!
 //! A panel may show another moment than the one that the question is about. Texts of the whole figure are of
 //! that question, where a panel shows its moment; where none does they are of what the first panel shows.
 
-use std::sync::Arc;
-
 use crate::scene::Scene;
 
 use super::panel::PanelPlan;
-use super::plan::Plan;
 use super::question::is_of_a_moment;
-use super::runs::Run;
 
 /// The panel whose moment texts of the whole figure are of: the first that shows the moment of the question,
 /// else the first.
@@ -19,30 +14,6 @@ pub(super) fn of_the_whole<'p, 's>(scene: &Scene, panels: &'p [PanelPlan<'s>]) -
     let is_asked = |panel: &&PanelPlan| panel.moment.time == scene.query.time;
     let shown = panels.iter().find(|panel| is_of_a_moment(scene.query.kind) && is_asked(panel));
     shown.or_else(|| panels.first())
-}
-
-impl Plan<'_> {
-    /// The scene's own run, at the query's moment.
-    #[must_use]
-    pub(crate) fn own_run(&self) -> Arc<Run> {
-        self.runs.own(self.scene, self.scene.query.time)
-    }
-
-    /// All runs that the figure needed so far, in the order in which they were asked for.
-    #[must_use]
-    pub(crate) fn all_runs(&self) -> Vec<Arc<Run>> {
-        self.runs.all()
-    }
-
-    /// The run that texts of the whole figure are of.
-    pub(super) fn run_of_the_whole(&self) -> Arc<Run> {
-        self.runs.own(self.scene, self.of_the_whole().map_or(0.0, |panel| panel.moment.time))
-    }
-
-    /// The panel whose moment texts of the whole figure are of.
-    pub(super) fn of_the_whole(&self) -> Option<&PanelPlan<'_>> {
-        of_the_whole(self.scene, &self.panels)
-    }
 }
 
 #[cfg(test)]
