@@ -170,10 +170,12 @@ fn suits_proofs(
     table: &Checked<'_>,
     p: &mut Problems,
 ) -> bool {
-    let &[(_, a), (name, b)] = bodies else { return true };
+    let &[(first, a), (second, b)] = bodies else { return true };
     let Err([least, largest]) = of_one_scale(a, b, question.when == When::OverTheMotion) else { return true };
     let ratio = "sizes of the two shapes, and distance and speed of a motion, span at most a factor of 1e100";
     let reason = format!("expected that {ratio}, got {least:e} and {largest:e}");
+    // One whose own sizes span too much is wrong beside any other.
+    let name = if of_one_scale(a, a, false).is_err() { first } else { second };
     p.add(Fault::UnsuitedShape { body: name.to_owned(), reason }, &span_of(table, "of"));
     false
 }
@@ -233,6 +235,21 @@ mod tests {
         );
         let wrong = read(&Source::new("test", &text)).err().unwrap_or_default();
         wrong.iter().map(|problem| problem.fault.code()).collect()
+    }
+
+    #[test]
+    fn the_body_whose_own_sizes_span_too_much_is_named() {
+        let told = |sizes: [&str; 2]| {
+            let [a, b] =
+                sizes.map(|half| format!("{{ kind = 'box', half_extents = {half}, position = [9, 0] }}"));
+            let query = "query = { kind = 'separation', of = ['crate', 'hall'] }";
+            let text = format!("shapes.crate = {a}\nshapes.hall = {b}\n{query}");
+            crate::scene::open_text("s.toml", &text).unwrap_err().problems[0].fault.to_string()
+        };
+        let sound = "[1, 1]";
+        for (sizes, body) in [(["[1e-300, 1e250]", sound], "crate"), ([sound, "[1e-300, 1e250]"], "hall")] {
+            assert!(told(sizes).contains(body), "{}", told(sizes));
+        }
     }
 
     #[test]

@@ -27,6 +27,9 @@ use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 /// Opacity of a line that touches both bodies where it runs through the cone: it is no side of that.
 const FAINT: f64 = 0.3;
 
+/// How many times farther from where the lines cross one touches A than B where it is named on the way to A.
+const SHORT: f64 = 3.0;
+
 /// The words of the option `show`.
 const PARTS: [&str; 2] = ["line", "cone"];
 
@@ -194,7 +197,10 @@ fn touching(
     sketch.part("touching").marker(a, Marker::Disc, Role::A, MARKER);
     sketch.part("touching").marker(b, Marker::Square, Role::B, MARKER);
     if let Some(key) = name {
-        sketch.label(Label::new(key, format!("${key}$"), Anchor::middle(origin, b), TURNED));
+        // Between the bodies, unless the lines cross at B: there neither has a side of its own.
+        let is_short = (a - origin).length() > SHORT * (b - origin).length();
+        let far = if is_short { a } else { b };
+        sketch.label(Label::new(key, format!("${key}$"), Anchor::middle(origin, far), TURNED));
     }
 }
 
@@ -204,6 +210,29 @@ mod tests {
     use crate::figure::layer::tests::{apart, labels, paths};
     use crate::figure::{draw, plan};
     use crate::scene::open_text;
+
+    #[test]
+    fn lines_that_cross_at_b_are_named_at_their_own_parts() {
+        let text = "shapes.A = { kind = 'box', half_extents = [5, 0.3], angle_deg = 35 }
+            shapes.B = { kind = 'regular-polygon', edges = 5, circumradius = 0.6, position = [1.5, 3.5] }
+            query = { kind = 'separation', of = ['A', 'B'], algorithm = 'separating-axes' }
+            panels = [{ layers = ['shapes', { layer = 'separating-lines', names = true }] }]";
+        let scene = open_text("crossing", text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "crossing");
+        let context = plan.panels[0].context(&scene, &plan.runs);
+        let lines = lines(&context, &cone(&context).unwrap()).unwrap();
+        let panel = &figure.panels[0];
+        // How far a label's middle is from one of the lines, in page pixels.
+        let away = |key: &str, line: &Touching| {
+            let label = panel.placed.iter().find(|label| label.key == key).unwrap();
+            let [p, q] = line.at.map(|p| panel.frame.page(p));
+            (q - p).unit().unwrap().cross(label.bounds.center() - p).abs()
+        };
+        for (key, own, other) in [("t_1", &lines[0], &lines[1]), ("t_2", &lines[1], &lines[0])] {
+            assert!(2.0 * away(key, own) < away(key, other), "{key}");
+        }
+    }
 
     #[test]
     fn both_lines_touch_both_bodies_and_pass_between_them_and_cross_there() {
