@@ -101,7 +101,7 @@ const ofText = (rest) => /^[^<]*/.exec(rest)[0];
 // The tree of a text that tracefig wrote, the element that begins in its line `first`: nodes with tag, name,
 // id and kids, their places in `tags`, and their first and last lines. Each tag that opens an element begins
 // a line; `lines` has the nodes by those, from `first`.
-function treeOf(tags, lines, first = 0) {
+function treeOf(tags, lines, first) {
     const top = { kids: [] };
     const open = [top];
     let line = 0;
@@ -162,7 +162,9 @@ class Picture {
 
     // Takes what the page shows for the picture of this text; whether it is.
     begin(text) {
-        this.take(text, text.match(TAG));
+        this.lines = text.split("\n");
+        this.nodes = [];
+        this.shown = treeOf(text.match(TAG), this.nodes, 0);
         return this.bind(this.shown, this.svg);
     }
 
@@ -178,13 +180,6 @@ class Picture {
         return fits;
     }
 
-    // Keeps a text and its tree.
-    take(text, tags) {
-        this.lines = text.split("\n");
-        this.nodes = [];
-        this.shown = treeOf(tags, this.nodes);
-    }
-
     // Shows another text; whether all elements stayed.
     patch(text) {
         const lines = text.split("\n");
@@ -192,13 +187,6 @@ class Picture {
         const [begin, end] = alike(this.lines, lines);
         const last = this.lines.length - 1;
         const holds = ({ kids, line, last: close }) => kids && line < begin && close > last - end;
-        if (!holds(this.shown)) {
-            const tags = text.match(TAG);
-            const before = this.shown;
-            this.take(text, tags);
-            this.morph(before, this.shown, tags);
-            return false;
-        }
         // Read is what holds all that differs, and nothing around it.
         let [around, inner] = [undefined, this.shown];
         for (let kid = inner; kid; kid = inner.kids.find(holds)) [around, inner] = [inner, kid];

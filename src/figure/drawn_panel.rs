@@ -57,8 +57,8 @@ pub(super) struct Enlarged {
 /// What a panel's layers draw in a theme, which the plan may have kept.
 fn sketched(Sheet { plan, theme, share }: Sheet, index: usize) -> Sketched {
     let panel = &plan.panels[index];
-    let is_planned = std::ptr::eq(theme, plan.theme) && (share >= 1.0 || panel.source.view.is_some());
-    let kept = if is_planned { plan.kept.take(index, &panel.frame) } else { None };
+    let is_planned = std::ptr::eq(theme, plan.theme);
+    let kept = if is_planned { plan.kept.take(index, &panel.frame_at(share)) } else { None };
     kept.unwrap_or_else(|| panel.sketch_at(share, &panel.context(plan.scene, &plan.runs), theme))
 }
 

@@ -99,9 +99,13 @@ impl PanelPlan<'_> {
     /// Lets every layer draw at a share of the panel's scale, which leaves room about the drawing; a panel
     /// with a `view` has the scale that the scene asks for.
     pub(crate) fn sketch_at(&self, share: f64, context: &Context, theme: &Theme) -> Sketched {
+        self.drawn(begun(self.frame_at(share), context, theme), context).finish()
+    }
+
+    /// Where its space lies on the page at a share of its scale.
+    pub(crate) fn frame_at(&self, share: f64) -> Frame {
         let share = if self.source.view.is_some() { 1.0 } else { share };
-        let frame = Frame { scale: share * self.frame.scale, ..self.frame };
-        self.drawn(begun(frame, context, theme), context).finish()
+        Frame { scale: share * self.frame.scale, ..self.frame }
     }
 
     /// Lets every layer draw in the frame of an inset; `own` is what they drew in the panel.

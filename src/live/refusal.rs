@@ -140,8 +140,6 @@ impl fmt::Display for Refusal {
             Self::Theme { reason } => write!(f, "the theme can't be used: {reason}"),
             Self::Wrong { what, why } => write!(f, "{what} can't be so: {why}"),
             Self::Foreign { said } => f.write_str(said),
-            // All that a page can ask for beside what is on no page, which was said of the scene.
-            Self::Output(_) if cfg!(tracefig_page) => f.write_str("the picture has no pixels"),
             Self::Output(error) => error.fmt(f),
         }
     }

@@ -69,8 +69,7 @@ fn scene(root: &Node, p: &mut Problems) -> Option<Scene> {
 fn bodies(top: &Checked<'_>, p: &mut Problems) -> Vec<body::Read> {
     let Some(node) = top.get("shapes") else { return Vec::new() };
     let entries = node.entries().unwrap_or_default();
-    // A page has read its scene before.
-    if !cfg!(tracefig_page) && node.entries().is_some_and(<[_]>::is_empty) {
+    if node.entries().is_some_and(<[_]>::is_empty) {
         let (expected, got) = ("a table of at least one shape".to_owned(), "an empty one".to_owned());
         p.add(Fault::WrongType { key: "shapes".to_owned(), expected, got }, &node.span);
     }

@@ -74,13 +74,8 @@ pub(crate) fn fill(
     Ok((out, lacking))
 }
 
-/// What is wrong with a value that no answer to the question has. On a page of a figure that was drawn no
-/// text is new, and nobody is told more.
+/// What is wrong with a value that no answer to the question has.
 fn lacking_fault(name: &str, context: &Context) -> scene::Fault {
-    let lacks = format!("this answer has no `{name}`");
-    if cfg!(tracefig_page) {
-        return scene::Fault::Conflict { message: lacks, help: String::new() };
-    }
     let (message, help) = match givers(name, context) {
         Some(_) if name.starts_with(OF_A_STEP) && context.step.is_none() => {
             let help = "write it in a text of a panel that has a `step`".to_owned();
@@ -88,7 +83,7 @@ fn lacking_fault(name: &str, context: &Context) -> scene::Fault {
         }
         Some(givers) => {
             let help = format!("leave `{{={name}}}` out of the text, or ask a question that has it");
-            (format!("{lacks}: {givers}"), help)
+            (format!("this answer has no `{name}`: {givers}"), help)
         }
         None => {
             let known = known(context);
