@@ -24,7 +24,7 @@ use crate::collision::certified::distance::balls::{
 use crate::collision::certified::distance::gaps::pass;
 use crate::collision::certified::sweep::ray::Entry;
 use crate::collision::feature::{DifferenceEdge, DifferenceFeature, a_then_b};
-use crate::geometry::{Ball, DVec2, Enclosure, Side, length};
+use crate::geometry::{Ball, DVec2, Enclosure, Side};
 
 /// Where the ray's line enters B ⊖ A, of a pair at t = 0.
 #[cold]
@@ -216,7 +216,8 @@ impl Ray<'_, '_> {
             Some(touches @ (0 | 1)) => {
                 let c = dot(&p, &p) - radius * radius;
                 let last = TimeQuotient { numerator: c, denominator: along + discriminant.sqrt() };
-                let first = if touches == 0 { last } else { self.meets_tangent(vertex, last) };
+                let first =
+                    if touches == 0 { last } else { self.meets_tangent(vertex, across, discriminant) };
                 let time = Enclosure { lo: first.doubles().lo, hi: last.doubles().hi };
                 Entry::At { feature, time, contact: None }
             }
@@ -225,19 +226,17 @@ impl Ray<'_, '_> {
         }
     }
 
-    /// When the ray meets the tangent of B ⊖ A that is square to the normal of a disc's entry: not later than
+    /// When the ray meets the tangent of B ⊖ A at the point of a disc through which it enters: not later than
     /// it meets B ⊖ A itself.
-    fn meets_tangent(&self, [i, j]: [usize; 2], entry: TimeQuotient) -> TimeQuotient {
-        let (p, v, t) = (self.balls.between(i, j), self.direction(), entry.value().value.hi);
-        let n = DVec2::new(p[0].value.hi - t * v.x, p[1].value.hi - t * v.y);
-        let n = n / length(n);
-        let unit = [Ball::new(n.x), Ball::new(n.y)];
-        // Of a disc so far away that doubles lose its normal the tangent square to the ray is as true.
-        let is_faced = n.is_finite() && dot(&unit, &self.v).is_positive();
-        let n = if is_faced { unit } else { self.v };
+    ///
+    /// The disc's normal there is v √(discriminant) + (−`v_y`, `v_x`) `across`, as the ray is √(discriminant) /
+    /// |v| before the foot of the center: a sum whose part along the ray stays right in a graze.
+    fn meets_tangent(&self, [i, j]: [usize; 2], across: Ball, discriminant: Ball) -> TimeQuotient {
+        let (p, v, root) = (self.balls.between(i, j), self.v, discriminant.sqrt());
+        let n = [v[0] * root - v[1] * across, v[1] * root + v[0] * across].map(|x| Ball::exact(x.value));
         let drop = self.balls.drop_below(Side::B, j, &n) + self.balls.drop_below(Side::A, i, &reversed(&n));
         let gap = dot(&n, &p) - Ball::exact(self.pair.radius) * dot(&n, &n).sqrt();
-        TimeQuotient { numerator: gap.widen(drop), denominator: dot(&n, &self.v) }
+        TimeQuotient { numerator: gap.widen(drop), denominator: dot(&n, &v) }
     }
 
     /// How much farther back along the ray B ⊖ A may reach than a vertex of it, times |v|: 0 where that is

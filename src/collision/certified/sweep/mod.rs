@@ -177,6 +177,31 @@ mod tests {
     }
 
     #[test]
+    fn a_corner_that_grazes_a_disc_by_less_than_an_ulp_meets_it_at_one_time() {
+        // Doubles lose the normal's part along the ray, which told the time from below.
+        let diamond = polygon(&[[-2.0, 0.0], [0.0, -2.0], [2.0, 0.0], [0.0, 2.0]], 0.0);
+        for depth in [1e-30_f64, 1e-29, 1e-28, 3e-21, 1e-16, 2e-9, 0.125] {
+            let disc = placed(polygon(&[[0.0, depth]], 0.5), 0.0, -0.5, 0.0);
+            for start in [8.0, 16.0, 80.0] {
+                for speed in [18.0, 19.0, 23.0, 29.0] {
+                    let speed = start * speed / 16.0;
+                    let a = moving(placed(diamond.clone(), -start, 2.0, 0.0), [speed, 0.0], 0.0);
+                    for sweep in [Sweep::new(&a, &disc), Sweep::new(&disc, &a)] {
+                        let Outcome::Hit { time, contact } = sweep.first_contact() else {
+                            panic!("they meet")
+                        };
+                        let apart = contact.bounds.hi;
+                        assert!(
+                            apart <= 16.0 * f64::EPSILON * start,
+                            "{depth:e}, {speed}: {time:?}, {apart}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+
+    #[test]
     fn a_box_that_slides_along_another_and_nears_it_by_1e_15_of_its_way_meets_it_at_one_time() {
         // Doubles do not tell when it meets the edge's line: axes left a hundredth of the motion open.
         let angle = -124.198_695_929_808_24;
