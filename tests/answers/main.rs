@@ -6,6 +6,7 @@ mod asking;
 #[path = "../random_pairs/mod.rs"]
 mod random_pairs;
 
+mod contacts;
 mod degenerate_pairs;
 mod discrete_algorithms;
 mod hard;

@@ -45,6 +45,11 @@ impl Owned {
             .max_by(|p, q| outwards(*p).dot(outward).cmp(&outwards(*q).dot(outward)))?;
         Some(Self { body, ends })
     }
+
+    /// Its length.
+    fn length(&self) -> Real {
+        self.ends[1].minus(self.ends[0]).length()
+    }
 }
 
 /// The edges of a core, counter-clockwise; a segment's there and back.
@@ -158,12 +163,18 @@ fn check_ends(
         return;
     };
     left.sort_by_key(|end| end.place);
+    // Of two points over one place of the reference edge either may be told first.
+    let beside = (left[1].place - left[0].place) <= slack(setting.scale) * reference.length();
     let radii = pair[0].radius + pair[1].radius;
     let slack = slack(setting.scale);
     let holds = |contact: &Contact, end: &End| {
         let s = end.gap - radii;
         Real::from(contact.bounds[0]) <= s + slack && s - slack <= Real::from(contact.bounds[1])
     };
+    if beside && contacts.len() == 2 && !contacts.iter().zip(&left).all(|(contact, end)| holds(contact, end))
+    {
+        left.reverse();
+    }
     let deep: Vec<&End> = match contacts.len() {
         1 => left.iter().filter(|end| holds(&contacts[0], end)).take(1).collect(),
         _ => left.iter().collect(),

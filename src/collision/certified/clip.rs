@@ -129,7 +129,8 @@ impl<'b, 'p, 's> Facing<'b, 'p, 's> {
         let next = |side: Side, k: usize| self.pair.hull(side).next(k);
         let [p0, p1] = [self.reference, next(self.body, self.reference)].map(|k| balls.vertex(self.body, k));
         let ends = [self.incident, next(other, self.incident)];
-        let along = minus(&p1, &p0);
+        // Its own direction: between its ends, which may be far from A, a short edge's is lost in rounding.
+        let along = balls.edge(self.body, self.reference);
         // The value of each plane at each end: planes[plane][end].
         let q = ends.map(|k| balls.vertex(other, k));
         let planes = [q.map(|q| dot(&along, &minus(&q, &p0))), q.map(|q| dot(&along, &minus(&p1, &q)))];
@@ -167,10 +168,13 @@ impl<'b, 'p, 's> Facing<'b, 'p, 's> {
             Some(k) => {
                 let (here, there) = (planes[k][end], planes[k][1 - end]);
                 let share = here.over(here - there);
-                let (from, to) = (share.value.hi - share.radius, share.value.hi + share.radius);
                 // Between the ends wherever the plane is, however little is known of it.
-                let known = (0.0..=1.0).contains(&from) && (0.0..=1.0).contains(&to);
-                let share = if known { share } else { Ball::new(0.5).widen(0.5) };
+                let share = match share.value.hi {
+                    _ if share.radius > 0.5 => Ball::new(0.5).widen(0.5),
+                    x if x < 0.0 => Ball::ZERO.widen(share.radius),
+                    x if x > 1.0 => Ball::ONE.widen(share.radius),
+                    _ => share,
+                };
                 (share, gaps[end] + share * slope)
             }
             None => (Ball::ZERO, gaps[end].widen(doubt(end, planes) * slope.magnitude())),
