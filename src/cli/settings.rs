@@ -93,6 +93,10 @@ pub(crate) struct Settings {
     trees: Vec<PathBuf>,
 }
 
+/// What pictures and documents of other programs end in: nobody means a folder by such a name.
+const OTHER_FORMATS: [&str; 14] =
+    ["avif", "bmp", "eps", "heic", "htm", "ico", "jpeg", "jpg", "jxl", "ps", "tif", "tiff", "tikz", "webp"];
+
 /// The formats that are written where nobody says which.
 pub(crate) fn usual_formats() -> Vec<&'static Format> {
     FORMATS.iter().filter(|format| format.usual).collect()
@@ -105,7 +109,7 @@ impl Settings {
     /// When one of them contradicts itself, or the project names a format or theme that there is not.
     pub(crate) fn new(flags: &Flags<'_>, project: Option<&OpenProject>) -> Result<Self, Unplanned> {
         let known = project.map(FromProject::read).transpose()?.unwrap_or_default();
-        let destination = destination(flags.output, known.output);
+        let destination = destination(flags.output, known.output)?;
         let asked: Vec<_> = flags.formats.iter().filter_map(|name| format(name)).collect();
         let formats_asked = !asked.is_empty();
         let in_time = flags.in_time.or(known.steps.filter(|_| !flags.is_still).map(InTime::Steps));
@@ -196,18 +200,37 @@ fn once(variants: &[Variant]) -> Vec<Variant> {
 }
 
 /// Where files go, by the option of the command line, else by the project's.
-fn destination(flag: Option<&Path>, project: Option<PathBuf>) -> Destination {
-    match flag {
-        None => project.map_or(Destination::Beside, Destination::Project),
-        Some(path) if path.as_os_str() == "-" => Destination::Stdout,
-        Some(path) if named_format(path).is_some() && !path.is_dir() => Destination::File(path.to_owned()),
-        Some(path) => Destination::Folder(path.to_owned()),
+///
+/// # Errors
+/// When the option's name ends as those of pictures do that are not written here.
+fn destination(flag: Option<&Path>, project: Option<PathBuf>) -> Result<Destination, Unplanned> {
+    let Some(path) = flag else { return Ok(project.map_or(Destination::Beside, Destination::Project)) };
+    if path.as_os_str() == "-" {
+        return Ok(Destination::Stdout);
     }
+    let folder = Destination::Folder(path.to_owned());
+    if path.is_dir() {
+        return Ok(folder);
+    }
+    if named_format(path).is_some() {
+        return Ok(Destination::File(path.to_owned()));
+    }
+    let ending = ending(path).filter(|ending| OTHER_FORMATS.contains(&ending.as_str()));
+    ending.map_or(Ok(folder), |ending| {
+        let ours: Vec<_> = FORMATS.iter().map(|format| format!(".{}", format.name)).collect();
+        let (ours, shown) = (ours.join(", "), shown(path));
+        Err(Unplanned::Usage(format!("{shown}: no figure is written as .{ending}, but as {ours}")))
+    })
 }
 
-/// The format whose files end as this one.
+/// What the name of a file ends in, after its last point, in small letters.
+fn ending(path: &Path) -> Option<String> {
+    Some(path.extension()?.to_str()?.to_ascii_lowercase())
+}
+
+/// The format whose files end as this one, in small letters or capitals.
 fn named_format(path: &Path) -> Option<&'static Format> {
-    format(path.extension()?.to_str()?)
+    format(&ending(path)?)
 }
 
 /// The format of the one file that is written, where those asked for do not contradict its name.

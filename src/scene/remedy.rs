@@ -80,6 +80,7 @@ impl Fault {
             Self::UnknownBody { .. } | Self::WrongCount { .. } => {
                 "each body is a table of its own: [shapes.A]"
             }
+            Self::NotFinite { got, .. } if got.contains("beyond") => "write one that a double has",
             Self::NotFinite { .. } => "write a number; what an engine answered with `nan` is left out",
             Self::UnsuitedAlgorithm { .. } => "without the key `algorithm` one is chosen that does",
             Self::UnsuitedShape { .. } => "ask it of another shape, or ask another question: `kind`",

@@ -21,6 +21,9 @@ pub(super) fn meant(message: &str, line: &str, quoted: &str) -> Option<String> {
             [_, _, ..] if words.iter().all(|word| is_number(word)) => {
                 Some(format!("commas stand between values, as {}", words.join(", ")))
             }
+            [number, unit] if is_number(number) && unit.chars().all(|c| c.is_alphabetic() || c == '°') => {
+                Some(format!("numbers have no unit: {number}"))
+            }
             [word] if word.starts_with(|c: char| c.is_ascii_digit()) => {
                 Some("a number is written out, as 0.5".to_owned())
             }
@@ -73,6 +76,8 @@ mod tests {
             ("position = 3, 0", "a list stands between brackets: [3, 0]"),
             ("radius = .5", "a digit stands before the point, as 0.5"),
             ("radius = 1/2", "a number is written out, as 0.5"),
+            ("radius = 1 m", "numbers have no unit: 1"),
+            ("angle_deg = 45 °", "numbers have no unit: 45"),
             ("kind = circle", "a text stands between quotes: \"circle\""),
             ("[shapes.方块]", "such a name stands in quotes: [shapes.\"方块\"]"),
             ("[shapes.Tür]", "such a name stands in quotes: [shapes.\"Tür\"]"),

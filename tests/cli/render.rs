@@ -299,3 +299,24 @@ fn several_scenes_become_the_sheets_of_one_document() {
         assert_eq!(render(wrong).code, Some(2), "{wrong:?}");
     }
 }
+
+#[test]
+fn a_name_that_ends_as_pictures_do_is_no_folder() {
+    let folder = folder_with("s.toml", &drawn());
+    let render = |to: &str| run(tracefig(folder.path()).args(["render", "s.toml", "-o", to]));
+    for to in ["x.bmp", "x.JPG", "sub/x.webp"] {
+        let ran = render(to);
+        assert_eq!(ran.code, Some(2), "{to}: {}", ran.out);
+        assert!(
+            ran.err.contains("no figure is written as .") && ran.err.contains(".svg, .png"),
+            "{}",
+            ran.err
+        );
+    }
+    assert_eq!(names(folder.path()), set(&["s.toml"]));
+    assert_eq!(render("X.PNG").out, "X.PNG\n");
+    assert!(folder.path().join("X.PNG").is_file());
+    // A folder that is there may be called anything.
+    std::fs::create_dir(folder.path().join("old.bmp")).unwrap();
+    assert_eq!(render("old.bmp").out, "old.bmp/s.svg\nold.bmp/s.png\n");
+}

@@ -127,7 +127,8 @@ pub(super) const LAYER: Layer = Layer {
     ],
     needs: "an answer with that moment: a hit for \"hit\", a miss for \"closest\", \
         a first step for \"bound\", \
-        a separation for \"separated\", another way out for \"rival\", steps for \"steps\"",
+        a separation for \"separated\", another way out for \"rival\", \
+        an algorithm that advances in steps, as conservative advancement, for \"steps\"",
     fed: |context, options| match options.word("at", When::HIT) {
         SEPARATED => match separation(context) {
             Some(answer) if push(&answer).is_none() => Fed::NotHere("no push is needed to part the bodies"),
@@ -228,18 +229,24 @@ fn moment(sketch: &mut Sketch, context: &Context, options: &Options, side: Side)
         return;
     }
     if let Some(outline) = context.outline(side, time) {
-        if options.flag("path", false) {
-            let way = context.track(side, DVec2::ZERO, [time.min(context.time), time.max(context.time)]);
-            let role = options.role(side.into());
-            sketch.part(part("way", side)).path_to_its_end(&way, Pen::path(role));
-            // Its head says where the origin comes to; a dot, where it was.
-            if let Some(&start) = way.first() {
-                sketch.marker(start, Marker::Disc, role, SMALL_MARKER);
-            }
-        }
+        way(sketch, context, options, (side, time));
         let hit = context.hit_time().filter(|hit| hit.lo == time);
         let then = hit.map_or_else(|| number(time), |hit| Quantity::within(hit).latex());
         elsewhere(sketch, context, options, (side, time, &then), &outline);
+    }
+}
+
+/// Draws the way of a body's origin between the panel's moment and another, if the scene wants it.
+fn way(sketch: &mut Sketch, context: &Context, options: &Options, (side, time): (Side, f64)) {
+    if !options.flag("path", false) {
+        return;
+    }
+    let way = context.track(side, DVec2::ZERO, [time.min(context.time), time.max(context.time)]);
+    let role = options.role(side.into());
+    sketch.part(part("way", side)).path_to_its_end(&way, Pen::path(role));
+    // Its head says where the origin comes to; a dot, where it was.
+    if let Some(&start) = way.first() {
+        sketch.marker(start, Marker::Disc, role, SMALL_MARKER);
     }
 }
 
@@ -369,8 +376,9 @@ fn steps(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) 
         }
     }
     if let Some(outline) = context.outline(side, last) {
-        sketch.since(context.known(&When::Step(times.len() + 1)));
         let count = times.len() + 1;
+        sketch.since(context.known(&When::Step(count)));
+        way(sketch, context, options, (side, last));
         let text =
             if numbered { vec![at(then(count, last))] } else { at_moment(context, side, &number(last)) };
         ghost(sketch, options, side, &outline, text);

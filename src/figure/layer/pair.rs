@@ -100,15 +100,19 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let Some(outline) = context.outline(Side::B, context.time) else { return };
         let moved = outline.moved(a.at - b.at);
         sketch.part("moved").weight(Weight::Light).area(&moved, None, Some(Pen::ghost(Role::B)));
-        let (ends, text) = ((pose.position, MARKER), format!("${q}$ moved to ${p}$"));
+        let ends = (pose.position, MARKER);
         let to = pose.position - (b.at - a.at);
         way(sketch, ends, to, role);
         // Where B's origin is then.
         sketch.part("moved").marker(to, Marker::Square, Role::B, MARKER);
-        let back = Label::new("back", format!("${p} - {q}$"), Anchor::middle(pose.position, to), role);
+        let name = format!("{p} - {q}");
+        // The way is no place: in a body's frame its numbers would be others.
+        let is_world = context.frame().is_none();
+        let text = if is_world { written(sketch, name, a.at - b.at) } else { format!("${name}$") };
+        let back = Label::new("back", text, Anchor::middle(pose.position, to), role);
         sketch.label(back.rank(Rank::Point));
         sketch.part("moved").marker(a.at, Marker::Disc, Role::A, MARKER);
-        let label = Label::new("moved", text, Anchor::inside(&moved), Role::B);
+        let label = Label::new("moved", format!("${q}$ moved to ${p}$"), Anchor::inside(&moved), Role::B);
         sketch.label(label.rank(Rank::Word).size(Size::Note));
         return;
     }
@@ -166,6 +170,8 @@ mod tests {
         assert_eq!(texts, ["$a_0 =$ $(-1, -2)$", "$b_2 =$ $(6, 4)$", "$b_2 - a_0$"]);
         let (named, _) = said("world", "vertices = [0, 2], names = ['p', 'q']").unwrap();
         assert_eq!([&*named[0].1, &*named[1].1], ["$p =$ $(-1, -2)$", "$q =$ $(6, 4)$"]);
+        let (turned, _) = said("world", "vertices = [0, 2], turned = true").unwrap();
+        assert!(turned.contains(&("back".to_owned(), "$a_0 - b_2 =$ $(-7, -6)$".to_owned())), "{turned:?}");
         let (configuration, _) = said("configuration", both).unwrap();
         assert_eq!(configuration[0].1, "$b_2 - a_0 =$ $(7, 6)$");
         assert!(long < 85.0_f64.sqrt() && long > 8.0, "{long}");

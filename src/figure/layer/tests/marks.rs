@@ -88,6 +88,9 @@ fn a_solid_ghost_is_drawn_as_a_body_is_and_a_body_may_say_when_it_is_there() {
     let steps = figure("", "time-of-impact', algorithm = 'conservative-advancement", layers);
     let ghosts = paths(&steps.drawing.items, "ghost-A");
     assert!(!ghosts.is_empty() && ghosts.iter().all(|ghost| ghost.fill.is_some()));
+    let layers = "{ layer = 'ghosts', of = 'A', at = 'steps', path = true }";
+    let steps = figure("", "time-of-impact', algorithm = 'conservative-advancement", layers);
+    assert_eq!(paths(&steps.drawing.items, "way-A").len(), 3, "one way to the last step");
 }
 
 #[test]
