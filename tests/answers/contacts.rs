@@ -1,7 +1,5 @@
 //! Points of contact where an edge is cut near its end.
 
-#![expect(clippy::expect_used, reason = "tests fail by panics")]
-
 use tracefig_reference::json::Json;
 
 /// A corner of a large box inside of a small body, which has the reference edge: of the box's edge a part of 1e-17
