@@ -14,6 +14,9 @@ use super::outputs::{Kept, one_name};
 use super::settings::{Destination, Projects, Settings};
 use super::unplanned::Unplanned;
 
+/// What a scene is that is read.
+const SCENE: &str = "a scene of this run";
+
 /// Where a file goes.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) enum Target {
@@ -314,7 +317,7 @@ pub(crate) fn inputs_of(jobs: &[Job]) -> Kept {
     }
     for job in jobs {
         if let Input::File(path) = &job.input {
-            kept.keep(path, "a scene of this run");
+            kept.keep(path, SCENE);
         }
     }
     kept
@@ -327,7 +330,8 @@ fn inputs_stay(jobs: &[Job]) -> Result<(), String> {
         if let Target::File(path) = &file.target
             && let Some(what) = kept.what(path)
         {
-            return Err(format!("{} is {what}, and a figure would take its place", shown(path)));
+            let mend = if what == SCENE { ": the name of a scene ends in .toml or .json" } else { "" };
+            return Err(format!("{} is {what}, and a figure would take its place{mend}", shown(path)));
         }
     }
     Ok(())

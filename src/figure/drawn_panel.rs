@@ -54,12 +54,14 @@ pub(super) struct Enlarged {
     labelled: Labelled,
 }
 
-/// What a panel's layers draw in a theme, which the plan may have kept.
-fn sketched(Sheet { plan, theme, share }: Sheet, index: usize) -> Sketched {
+/// What a panel's layers draw in a theme; if the plan has kept it, with the labels of all of it.
+fn sketched(Sheet { plan, theme, share }: Sheet, index: usize) -> (Sketched, Option<Vec<Sought>>) {
     let panel = &plan.panels[index];
     let is_planned = std::ptr::eq(theme, plan.theme);
     let kept = if is_planned { plan.kept.take(index, &panel.frame_at(share)) } else { None };
-    kept.unwrap_or_else(|| panel.sketch_at(share, &panel.context(plan.scene, &plan.runs), theme))
+    let (sketched, sought) = kept.unzip();
+    let draw = || panel.sketch_at(share, &panel.context(plan.scene, &plan.runs), theme);
+    (sketched.unwrap_or_else(draw), sought)
 }
 
 /// What a panel's layers draw in a theme, and the labels that seek their places there; its inset, if it has
@@ -71,7 +73,7 @@ pub(super) fn sought(
 ) -> ((Sketched, Vec<Sought>), Option<Enlarged>) {
     let panel = &plan.panels[index];
     let context = panel.context(plan.scene, &plan.runs);
-    let mut sketched = sketched(Sheet { plan, theme, share }, index);
+    let (mut sketched, kept) = sketched(Sheet { plan, theme, share }, index);
     let enlarged = panel.inset(&sketched, before.map(|before| before.frame.panel)).map(|inset| {
         let enlarged = panel.sketch_inset(&inset, &sketched, (&context, theme));
         let sought = seeking(plan, (theme, index), &enlarged);
@@ -80,7 +82,9 @@ pub(super) fn sought(
         inset.claim(&mut sketched, &named(&sought, &labelled));
         Enlarged { inset, sketched: enlarged, labelled }
     });
-    let sought = seeking(plan, (theme, index), &sketched);
+    // An inset claims some of the labels for itself.
+    let kept = kept.filter(|_| enlarged.is_none());
+    let sought = kept.unwrap_or_else(|| seeking(plan, (theme, index), &sketched));
     ((sketched, sought), enlarged)
 }
 

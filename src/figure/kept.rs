@@ -1,26 +1,30 @@
-//! What layers drew while a figure was planned, kept for its first drawing: a frame of a drag would let them
-//! all draw a second time.
+//! What layers drew while a figure was planned, with its labels, kept for its first drawing: a frame of a drag
+//! would let them all draw, and set all texts, a second time.
 
 use std::fmt::{self, Debug, Formatter};
 use std::sync::{Mutex, PoisonError};
 
 use super::frame::Frame;
+use super::placement::Sought;
 use super::sketch::Sketched;
 
-/// What the layers of each panel drew in the plan's theme, until someone takes it.
+/// What the layers of a panel drew in the plan's theme, and the labels of all of it.
+type Panel = (Sketched, Vec<Sought>);
+
+/// What each panel has, until someone takes it.
 #[derive(Default)]
-pub(super) struct Kept(Mutex<Vec<Option<Sketched>>>);
+pub(super) struct Kept(Mutex<Vec<Option<Panel>>>);
 
 impl Kept {
-    /// What the layers drew, panel by panel.
-    pub(super) fn of(sketched: Vec<Sketched>) -> Self {
-        Self(Mutex::new(sketched.into_iter().map(Some).collect()))
+    /// What the layers drew and its labels, panel by panel.
+    pub(super) fn of(sketched: Vec<Sketched>, sought: Vec<Vec<Sought>>) -> Self {
+        Self(Mutex::new(sketched.into_iter().zip(sought).map(Some).collect()))
     }
 
     /// What the layers of a panel drew, if they drew in this frame; none where it was taken.
-    pub(super) fn take(&self, panel: usize, frame: &Frame) -> Option<Sketched> {
+    pub(super) fn take(&self, panel: usize, frame: &Frame) -> Option<Panel> {
         let taken = self.0.lock().unwrap_or_else(PoisonError::into_inner).get_mut(panel)?.take();
-        taken.filter(|sketched| sketched.frame == *frame)
+        taken.filter(|(sketched, _)| sketched.frame == *frame)
     }
 }
 

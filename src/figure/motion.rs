@@ -45,7 +45,8 @@ fn at<'s>(still: &Plan<'s>, played: &Played, time: f64) -> Result<(Plan<'s>, Vec
         panel.frame = Frame { pose: view::pose(scene, panel), ..before.frame };
     }
     let sketched = view::sketch(scene, &runs, theme, &panels).map_err(one)?;
-    say((scene, theme), &runs, &panels, &sketched, (&mut problems, &mut notes)).map_err(one)?;
+    let in_look = (scene, theme, &layout.measures);
+    say(in_look, &runs, &panels, &sketched, (&mut problems, &mut notes)).map_err(one)?;
     if let Some(problem) = runs.overflow(scene) {
         return Err(one(problem));
     }

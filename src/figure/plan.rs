@@ -22,10 +22,11 @@ use super::limits::{MAX_POINTS, areas_within, within};
 use super::out_of_view::out_of_view;
 use super::page::{Layout, Measures, Page};
 use super::panel::PanelPlan;
+use super::placement::Sought;
 use super::resolve::Resolver;
 use super::runs::Runs;
-use super::sketch::Sketched;
-use super::text::{Across, Block, across, caption_of_words, check_texts, spoken};
+use super::sketch::{Size, Sketched};
+use super::text::{Across, Block, Wording, across, caption_of_words, check_texts, spoken};
 use super::theme::{self, Theme};
 use super::whole::of_the_whole;
 use super::{narrow, view};
@@ -173,8 +174,9 @@ fn resolve<'s>(
         let fitted = fitted.and_then(|()| fit((scene, &runs), theme, &mut layout, &mut panels));
         let said = fitted.and_then(|(sketched, fitted)| {
             warnings.extend(empty_views(&panels, &sketched));
-            let said = say((scene, theme), &runs, &panels, &sketched, (&mut problems, &mut warnings));
-            said.map(|()| page = Some((fitted, Kept::of(sketched))))
+            let in_look = (scene, theme, &layout.measures);
+            let said = say(in_look, &runs, &panels, &sketched, (&mut problems, &mut warnings));
+            said.map(|sought| page = Some((fitted, Kept::of(sketched, sought))))
         });
         problems.extend(said.err().into_iter().chain(runs.overflow(scene)).map(Problem::from));
     }
@@ -242,30 +244,33 @@ pub(super) fn panels_of<'s>(
     (panels.len() == count, panels)
 }
 
-/// Sets the texts of all labels that the layers asked for, so that drawing the plan cannot fail.
+/// Sets the texts of all labels that the layers asked for, panel by panel, so that drawing the plan cannot fail.
 pub(super) fn say(
-    (scene, theme): (&Scene, &Theme),
+    (scene, theme, measures): (&Scene, &Theme, &Measures),
     runs: &Runs,
     panels: &[PanelPlan],
     sketched: &[Sketched],
     (problems, notes): (&mut Vec<Problem>, &mut Vec<Problem>),
-) -> Result<(), scene::Problem> {
+) -> Result<Vec<Vec<Sought>>, scene::Problem> {
     let mut budget = Budget::default();
-    for (panel, sketched) in panels.iter().zip(sketched) {
+    let mut of_panel = |panel: &PanelPlan, sketched: &Sketched| {
+        let context = panel.context(scene, runs);
+        let type_size = |size: Size| measures.size(size.kind());
+        let marked = !theme.counts_on_color();
+        let wording = Wording { context: &context, type_size: &type_size, is_key, marked };
         if let Some((inset, enlarged)) = panel.asked_inset(sketched)? {
-            let context = panel.context(scene, runs);
             let enlarged = panel.sketch_inset(&enlarged, sketched, (&context, theme));
             within("the lines of the inset", "points", enlarged.points, MAX_POINTS, inset)?;
             areas_within(enlarged.painted, inset)?;
             budget.take(&enlarged, inset)?;
             let requests = enlarged.requests.iter().map(|request| (request, panel.span_of(request)));
-            check_texts(&context, requests, (&mut budget, is_key), (problems, &mut Vec::new()))?;
+            check_texts(&wording, requests, &mut budget, (problems, &mut Vec::new()))?;
         }
         budget.take(sketched, &panel.source.span)?;
         let requests = sketched.requests.iter().map(|request| (request, panel.span_of(request)));
-        check_texts(&panel.context(scene, runs), requests, (&mut budget, is_key), (problems, notes))?;
-    }
-    Ok(())
+        check_texts(&wording, requests, &mut budget, (problems, notes))
+    };
+    panels.iter().zip(sketched).map(|(panel, sketched)| of_panel(panel, sketched)).collect()
 }
 
 #[cfg(test)]

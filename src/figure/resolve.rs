@@ -317,5 +317,12 @@ mod tests {
         let simplex = "space = 'configuration', layers = ['difference', { layer = 'simplex', step = 9 }]";
         assert_eq!(told(simplex), "`simplex` draws nothing: the algorithm took fewer steps");
         assert_eq!(told("layers = ['shapes', { layer = 'ghosts', at = 'hit' }]"), "it needs a hit");
+        let hit = told("layers = ['shapes', { layer = 'separation', at = 'hit' }]");
+        assert!(
+            hit.contains("for \"hit\" or another moment of a motion a question for the first contact"),
+            "{hit}"
+        );
+        let steps = told("layers = ['shapes', { layer = 'ghosts', at = 'steps' }]");
+        assert_eq!(steps, "it needs an algorithm that advances in steps");
     }
 }

@@ -84,7 +84,8 @@ fn rounded(out: &mut String, value: f64, decimals: u32) {
     }
 }
 
-fn push_integer(out: &mut String, value: u64) {
+/// Writes a whole number in digits.
+pub(super) fn push_integer(out: &mut String, value: u64) {
     if value >= 10 {
         push_integer(out, value / 10);
     }

@@ -26,8 +26,10 @@ fn a_scene_that_is_named_as_its_figure_stays() {
             let ran = ran(folder.path(), &[command, &[name.as_str(), "--format", format]].concat());
             // A check was not to write anything.
             let end = if command[0] == "render" { "; nothing was written" } else { "" };
-            let told =
-                format!("error: {name} is a scene of this run, and a figure would take its place{end}\n");
+            let told = format!(
+                "error: {name} is a scene of this run, and a figure would take its place: the name of a scene \
+                 ends in .toml or .json{end}\n"
+            );
             assert_eq!((ran.code, ran.err), (Some(1), told), "{command:?}");
         }
         assert_eq!(names(folder.path()), set(&[name.as_str()]));

@@ -3,12 +3,13 @@
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{Anchor, Label, Pen, Rank, Size, Sketch, Weight};
+use crate::figure::sketch::{Anchor, Label, Marker, Pen, Rank, SMALL_MARKER, Size, Sketch, Weight};
 use crate::figure::text::{number, terms};
 use crate::geometry::{DVec2, Side};
 
 use super::half_extents::beside;
 use super::normal::unit_length;
+use super::part;
 
 /// Half the length of the mark of 0 on the axis, page pixels: past both intervals.
 const ZERO: f64 = 11.0;
@@ -18,6 +19,9 @@ const UNIT: f64 = 3.0;
 
 /// The least that a unit is long for each to be marked, page pixels: marks that are nearer are a hatch.
 const LEAST: f64 = 12.0;
+
+/// A shadow that is shorter is a point, page pixels: a bar's ends would be one line across the axis.
+const SHORT: f64 = 1.0;
 
 /// From where above the bodies to where the arrows of light reach, page pixels.
 pub(super) const LIGHT: f64 = 38.0;
@@ -102,6 +106,16 @@ pub(super) fn numbers(
     }
 }
 
+/// Draws the interval of a body, its shadow: a bar, and a mark where the shadow is a point, as that of a
+/// segment along the light.
+pub(super) fn shadow_of(sketch: &mut Sketch, body: Side, [lo, hi]: [DVec2; 2], role: Role) {
+    sketch.part(part("interval", body)).bar(lo, hi, 0.0, Pen::highlighted(role));
+    if sketch.on_page(lo.distance(hi)) < SHORT {
+        let marker = if body == Side::A { Marker::Disc } else { Marker::Square };
+        sketch.marker(lo, marker, role, SMALL_MARKER);
+    }
+}
+
 /// Marks on the axis from where its numbers are counted, if that is in reach.
 pub(super) fn zero(
     sketch: &mut Sketch,
@@ -152,5 +166,21 @@ mod tests {
                 assert!(if passes { to.y > bottom.y } else { to.y < top.y }, "{from:?} to {to:?}, {top:?}");
             }
         }
+    }
+    #[test]
+    fn the_shadow_of_a_segment_along_the_light_is_a_point_that_is_marked() {
+        let marks = |end: &str| {
+            let text = format!(
+                "shapes.A = {{ kind = 'capsule', points = [[-1, 0], {end}], radius = 0 }}
+                 shapes.B = {{ kind = 'box', half_extents = [1, 1], position = [0, 4] }}
+                 query = {{ kind = 'separation', of = ['A', 'B'], algorithm = 'separating-axes' }}
+                 panels = [{{ layers = ['projection'] }}]"
+            );
+            let scene = open_text("shadow", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let figure = draw(&plan, plan.theme, "shadow");
+            paths(&figure.drawing.items, "interval-A").iter().filter(|path| path.fill.is_some()).count()
+        };
+        assert_eq!([marks("[1, 0]"), marks("[1, 0.5]")], [1, 0]);
     }
 }

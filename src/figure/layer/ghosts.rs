@@ -128,7 +128,7 @@ pub(super) const LAYER: Layer = Layer {
     needs: "an answer with that moment: a hit for \"hit\", a miss for \"closest\", \
         a first step for \"bound\", \
         a separation for \"separated\", another way out for \"rival\", \
-        an algorithm that advances in steps, as conservative advancement, for \"steps\"",
+        an algorithm that advances in steps for \"steps\"",
     fed: |context, options| match options.word("at", When::HIT) {
         SEPARATED => match separation(context) {
             Some(answer) if push(&answer).is_none() => Fed::NotHere("no push is needed to part the bodies"),

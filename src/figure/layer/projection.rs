@@ -15,11 +15,11 @@ use crate::figure::text::{Quantity, terms};
 use crate::geometry::{DVec2, Enclosure, Feature, Side, perp};
 use crate::trace::Event;
 
-use super::axis_unit::{LIGHT, light, numbers, on_axis, sees, units, written, zero};
+use super::axis_unit::{LIGHT, light, numbers, on_axis, sees, shadow_of, units, written, zero};
 use super::half_extents::beside;
 use super::normal::{unit_length, unit_vector};
 use super::shadow::{guide, highest, lit};
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of, part};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of};
 
 /// The part of a measure by which others are as large, as far as rounding tells.
 const TIED: f64 = 1e-12;
@@ -210,8 +210,8 @@ fn draw_axis(sketch: &mut Sketch, (context, options): (&Context, &Options), t: &
             let track = if measured { low } else { track };
             guide(sketch, (context, body.other()), &points, (t.n, end), (down, far + track));
         }
-        let pen = Pen::highlighted(options.role(body.into()));
-        sketch.part(part("interval", body)).bar(at(interval.lo, track), at(interval.hi, track), 0.0, pen);
+        let ends = [interval.lo, interval.hi].map(|along| at(along, track));
+        shadow_of(sketch, body, ends, options.role(body.into()));
     }
     // Where bodies are apart, an overlap on one axis is no way to move.
     let is_asked = options.number("axis").is_some() && t.gap <= 0.0;

@@ -216,7 +216,8 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
     if let Some(v) = step.closest {
         let values = options.flag("values", false);
         let blue = Role::Translation;
-        sketch.part("closest").arrow_to(DVec2::ZERO, v, Marker::Diamond.reach(MARKER), Pen::vector(blue));
+        let clear = if step.vertices.contains(&v) { Marker::Diamond.reach(MARKER) } else { 0.0 };
+        sketch.part("closest").arrow_to(DVec2::ZERO, v, clear, Pen::vector(blue));
         sketch.detail(&[DVec2::ZERO, v]);
         let radius = radii(context);
         let lengths = of_cores(v.length(), radius, values && radius > 0.0 && step.next.is_none());

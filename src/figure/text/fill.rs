@@ -9,7 +9,7 @@ use crate::typeset::ends_in_formula;
 
 use super::decimal::Decimal;
 use super::digits::Digits;
-use super::givers::givers;
+use super::givers::{NO_OTHER, givers};
 use super::number::{USUAL, in_math, in_words};
 use super::outcome::another_answer_has;
 use super::values::{VALUES, Value, value_of};
@@ -82,7 +82,8 @@ fn lacking_fault(name: &str, context: &Context) -> scene::Fault {
             (format!("`{name}` is of a step, and this text is of none"), help)
         }
         Some(givers) => {
-            let help = format!("leave `{{={name}}}` out of the text, or ask a question that has it");
+            let or = if givers == NO_OTHER { "" } else { ", or ask a question that has it" };
+            let help = format!("leave `{{={name}}}` out of the text{or}");
             (format!("this answer has no `{name}`: {givers}"), help)
         }
         None => {

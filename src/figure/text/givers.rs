@@ -9,6 +9,9 @@ use super::values::{VALUES, value_of};
 /// Steps after which a way of asking is given up: a value that it has shows in the first ones.
 const MOST_STEPS: usize = 8;
 
+/// What is said where no question has a value.
+pub(super) const NO_OTHER: &str = "no other question about these bodies has it";
+
 /// What has a value of that name for the bodies of a context, in words; `None` where no answer has it.
 pub(super) fn givers(name: &str, context: &Context) -> Option<String> {
     VALUES.iter().find(|value| value.name == name)?;
@@ -23,7 +26,7 @@ pub(super) fn givers(name: &str, context: &Context) -> Option<String> {
     let has_it = |question: &&Question| all().any(|algorithm| has(name, context, (question, algorithm)));
     let words: Vec<String> = others.filter(has_it).map(|found| format!("`{}`", found.word)).collect();
     Some(match words.as_slice() {
-        [] => "no other question about these bodies has it".to_owned(),
+        [] => NO_OTHER.to_owned(),
         _ => format!("a query of the kind {} has it", words.join(", ")),
     })
 }
@@ -43,7 +46,7 @@ fn has(name: &str, context: &Context, (question, algorithm): (&Question, &'stati
 #[cfg(test)]
 mod tests {
     use crate::figure::plan;
-    use crate::scene::open_text;
+    use crate::scene::{Explain, open_text};
 
     /// What is said of a value in a caption of two circles.
     fn said(value: &str, query: &str) -> String {
@@ -55,17 +58,22 @@ mod tests {
         );
         let scene = open_text("givers.toml", &text).unwrap().scene;
         let problems = plan(&scene).map(|_| ()).unwrap_err();
-        problems[0].fault.to_string()
+        format!("{}; {}", problems[0].fault, problems[0].fault.remedy().unwrap_or_default())
     }
 
     #[test]
     fn a_value_of_another_answer_is_told_with_what_gives_it() {
         let gjk = "kind = 'separation', algorithm = 'gjk'";
-        assert_eq!(said("centers", gjk), "this answer has no `centers`: algorithm `circles` gives it");
+        assert_eq!(
+            said("centers", gjk),
+            "this answer has no `centers`: algorithm `circles` gives it; leave `{=centers}` out of the text, or ask \
+             a question that has it"
+        );
         let swept = said("iterations", gjk);
         assert!(swept.starts_with("this answer has no `iterations`: a query of the kind `"), "{swept}");
         assert!(swept.contains("`time-of-impact`"), "{swept}");
-        assert!(said("V.x", gjk).ends_with("no other question about these bodies has it"));
+        let none = "no other question about these bodies has it; leave `{=V.x}` out of the text";
+        assert!(said("V.x", gjk).ends_with(none), "{}", said("V.x", gjk));
         assert!(said("centres", gjk).contains("unknown value"), "a word that means nothing");
     }
 }

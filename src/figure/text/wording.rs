@@ -107,26 +107,29 @@ impl Wording<'_> {
     }
 }
 
-/// Sets every label of a panel once, so that a text that can't be set is said before anything is drawn.
+/// Sets every label of a panel, so that a text that can't be set is said before anything is drawn.
 /// `requests` come with the places of their layers in the scene.
 ///
 /// # Errors
 /// When the labels are more than can be set.
 pub(crate) fn check_texts<'r>(
-    context: &Context,
+    wording: &Wording,
     requests: impl Iterator<Item = (&'r Request, &'r Range<usize>)>,
-    (budget, is_key): (&mut Budget, IsKey),
+    budget: &mut Budget,
     (problems, notes): (&mut Vec<Problem>, &mut Vec<Problem>),
-) -> Result<(), scene::Problem> {
-    let wording = Wording { context, type_size: &|size| size.kind().size(), is_key, marked: false };
+) -> Result<Vec<Sought>, scene::Problem> {
+    let mut all = Vec::new();
     for (request, span) in requests {
         match wording.set(request, span, notes) {
-            Ok(Some(sought)) => budget.letters(&sought.lines, span)?,
+            Ok(Some(sought)) => {
+                budget.letters(&sought.lines, span)?;
+                all.push(sought);
+            }
             Ok(None) => {}
             Err(problem) => problems.push(problem),
         }
     }
-    Ok(())
+    Ok(all)
 }
 
 /// The scripts of the asked bodies with long names, each with a few letters that stand for it.
@@ -159,8 +162,8 @@ pub(crate) fn no_value(value: String, context: &Context, at: &Range<usize>) -> P
 
 /// What is wrong with the roles that words of a text at `at` wear, if anything is.
 pub(crate) fn bad_role(markup: &str, at: &Range<usize>) -> Option<Problem> {
-    let known = role_words();
-    let fault = scene::Fault::UnknownWord { what: "role", got: unknown(markup)?.to_owned(), known };
+    let got = unknown(markup)?.to_owned();
+    let fault = scene::Fault::UnknownWord { what: "role", got, known: role_words() };
     Some(Problem::new(fault.into(), at.clone()))
 }
 

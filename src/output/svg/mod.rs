@@ -140,7 +140,7 @@ struct Document {
     /// What every id and class begins with.
     prefix: String,
     /// What ids given so far are called behind the prefix, each with the last number that was given to it.
-    ids: BTreeMap<String, usize>,
+    ids: BTreeMap<String, u64>,
     /// Clips that have an element; a clip's index is the number in its id.
     clips: Vec<Clip>,
     /// Opacity of the fills of areas.
@@ -201,13 +201,19 @@ impl Document {
         let mut name = identifier(name);
         if let Some(&last) = self.ids.get(&name) {
             // All numbers up to the last one given are taken.
-            let numbered = |count: usize| format!("{name}-{count}");
-            let mut count = last + 1;
-            while self.ids.contains_key(&numbered(count)) {
+            let (mut own, mut count) = ([&name, "-"].concat(), last);
+            let stem = own.len();
+            loop {
                 count += 1;
+                own.truncate(stem);
+                number::push_integer(&mut own, count);
+                if !self.ids.contains_key(&own) {
+                    break;
+                }
             }
-            let own = numbered(count);
-            self.ids.insert(name, count);
+            if let Some(last) = self.ids.get_mut(&name) {
+                *last = count;
+            }
             name = own;
         }
         let id = [&self.prefix, "-", &name].concat();

@@ -7,7 +7,7 @@ use crate::geometry::DVec2;
 use crate::scene::open_text;
 use crate::trace::Event;
 
-use super::{labels, lines, paths};
+use super::{labels, lines, paths, points};
 
 /// How far apart a thing may be drawn, page pixels.
 const NEAR: f64 = 1e-6;
@@ -202,5 +202,25 @@ fn a_ray_without_its_free_way_still_hits() {
         let plan = plan(&scene).unwrap();
         let items = draw(&plan, plan.theme, "ray").drawing.items;
         assert_eq!((paths(&items, "until-hit").len(), paths(&items, "hit").len()), (bands, 1));
+    }
+}
+
+#[test]
+fn v_ends_on_the_edge_that_it_is_to_and_before_the_mark_of_a_vertex() {
+    for (step, v, is_marked) in [(2, [3.0, -1.5], true), (3, [3.0, 0.0], false)] {
+        let text = format!(
+            "shapes.A = {{ kind = 'box', half_extents = [1, 1] }}
+             shapes.B = {{ kind = 'box', half_extents = [1, 1], position = [5, 0.5] }}
+             query = {{ kind = 'separation', of = ['A', 'B'], algorithm = 'gjk' }}
+             panels = [{{ space = 'configuration', layers = [{{ layer = 'simplex', step = {step} }}] }}]"
+        );
+        let scene = open_text("gjk", &text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "gjk");
+        let end = figure.panels[0].frame.page(DVec2::from(v));
+        let arrow = paths(&figure.drawing.items, "closest");
+        let off = arrow.iter().flat_map(|path| points(path)).map(|p| f64::hypot(p.x - end.x, p.y - end.y));
+        let off = off.fold(f64::INFINITY, f64::min);
+        assert!(if is_marked { off > 4.0 } else { off < NEAR }, "{step}: {off}");
     }
 }
