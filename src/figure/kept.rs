@@ -1,5 +1,5 @@
-//! What layers drew while a figure was planned, with its labels, kept for its first drawing: a frame of a drag
-//! would let them all draw, and set all texts, a second time.
+//! What layers drew while a figure was planned, with its labels, kept for its first drawing: a frame of a
+//! drag would let them all draw, and set all texts, a second time.
 
 use std::fmt::{self, Debug, Formatter};
 use std::sync::{Mutex, PoisonError};

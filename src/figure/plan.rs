@@ -244,7 +244,8 @@ pub(super) fn panels_of<'s>(
     (panels.len() == count, panels)
 }
 
-/// Sets the texts of all labels that the layers asked for, panel by panel, so that drawing the plan cannot fail.
+/// Sets the texts of all labels that the layers asked for, panel by panel, so that drawing the plan cannot
+/// fail.
 pub(super) fn say(
     (scene, theme, measures): (&Scene, &Theme, &Measures),
     runs: &Runs,

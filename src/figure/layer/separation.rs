@@ -109,8 +109,8 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "s_k", about: "the separation at a step, where it is long enough" },
         LabelKey { key: "distance", about: "the distance of a circle from a box" },
     ],
-    needs: "two bodies; for \"hit\" or another moment of a motion a question for the first contact; for \"steps\" \
-        an advancement",
+    needs: "two bodies; for \"hit\" or another moment of a motion a question for the first contact; \
+        for \"steps\" an advancement",
     fed: |context, options| match options.when("at") {
         Some(When::Hit | When::Closest | When::Bound) => {
             Fed::by_the_answer(found(context, options).is_some(), context.asks_for_a_hit())

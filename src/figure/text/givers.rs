@@ -66,8 +66,8 @@ mod tests {
         let gjk = "kind = 'separation', algorithm = 'gjk'";
         assert_eq!(
             said("centers", gjk),
-            "this answer has no `centers`: algorithm `circles` gives it; leave `{=centers}` out of the text, or ask \
-             a question that has it"
+            "this answer has no `centers`: algorithm `circles` gives it; leave `{=centers}` out of the text, \
+             or ask a question that has it"
         );
         let swept = said("iterations", gjk);
         assert!(swept.starts_with("this answer has no `iterations`: a query of the kind `"), "{swept}");

@@ -229,8 +229,9 @@ impl Ray<'_, '_> {
     /// When the ray meets the tangent of B ⊖ A at the point of a disc through which it enters: not later than
     /// it meets B ⊖ A itself.
     ///
-    /// The disc's normal there is v √(discriminant) + (−`v_y`, `v_x`) `across`, as the ray is √(discriminant) /
-    /// |v| before the foot of the center: a sum whose part along the ray stays right in a graze.
+    /// The disc's normal there is v √(discriminant) + (−`v_y`, `v_x`) `across`, as the ray is
+    /// √(discriminant) / |v| before the foot of the center: a sum whose part along the ray stays right in a
+    /// graze.
     fn meets_tangent(&self, [i, j]: [usize; 2], across: Ball, discriminant: Ball) -> TimeQuotient {
         let (p, v, root) = (self.balls.between(i, j), self.v, discriminant.sqrt());
         let n = [v[0] * root - v[1] * across, v[1] * root + v[0] * across].map(|x| Ball::exact(x.value));

@@ -219,7 +219,7 @@ fn v_ends_on_the_edge_that_it_is_to_and_before_the_mark_of_a_vertex() {
         let figure = draw(&plan, plan.theme, "gjk");
         let end = figure.panels[0].frame.page(DVec2::from(v));
         let arrow = paths(&figure.drawing.items, "closest");
-        let off = arrow.iter().flat_map(|path| points(path)).map(|p| f64::hypot(p.x - end.x, p.y - end.y));
+        let off = arrow.iter().flat_map(|path| points(path)).map(|p| (p - end).length());
         let off = off.fold(f64::INFINITY, f64::min);
         assert!(if is_marked { off > 4.0 } else { off < NEAR }, "{step}: {off}");
     }
