@@ -16,6 +16,8 @@ pub struct Names {
     a: String,
     /// Name of the second body; `None` where the query is about one.
     b: Option<String>,
+    /// Which of them are circles: their only vertex is a centre.
+    circles: [bool; 2],
 }
 
 impl Default for Names {
@@ -33,7 +35,17 @@ impl Names {
     /// ```
     #[must_use]
     pub fn new(a: &str, b: Option<&str>) -> Self {
-        Self { a: a.to_owned(), b: b.map(str::to_owned) }
+        Self { a: a.to_owned(), b: b.map(str::to_owned), circles: [false; 2] }
+    }
+
+    /// With which of the two bodies are circles, whose only vertex is called a centre.
+    pub(crate) fn of_circles(self, circles: [bool; 2]) -> Self {
+        Self { circles, ..self }
+    }
+
+    /// Whether a body is known to be a circle.
+    pub(crate) fn is_of_circle(&self, side: Side) -> bool {
+        self.circles[usize::from(side == Side::B)]
     }
 
     /// The name of a body; empty for the second of a query about one.

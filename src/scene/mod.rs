@@ -188,7 +188,15 @@ impl Scene {
     pub fn names(&self) -> Names {
         let name = |i: usize| self.query.of.get(i).and_then(|&shape| self.shapes.get(shape));
         let [a, b] = [0, 1].map(|i| name(i).map(|(name, _)| visible(&name.value)));
-        Names::new(&a.unwrap_or_default(), b.as_deref())
+        Names::new(&a.unwrap_or_default(), b.as_deref()).of_circles(self.circles())
+    }
+
+    /// Which bodies of the query are circles of a size.
+    pub(crate) fn circles(&self) -> [bool; 2] {
+        let body = |i: usize| self.query.of.get(i).and_then(|&shape| self.shapes.get(shape));
+        [0, 1].map(|i| {
+            body(i).is_some_and(|(_, body)| body.shape.vertices.len() == 1 && body.shape.radius > 0.0)
+        })
     }
 
     /// The question with its bodies at another moment: `time` counts from 0, the start of the motion, to 1,

@@ -72,6 +72,9 @@ impl Fault {
             Self::Unreadable { .. } => "look at the path, and at who may read it",
             Self::Syntax { .. } => "texts stand in quotes, lists in [ ], tables in { }",
             Self::DuplicateKey { .. } => "keep one of the two",
+            Self::OverLimit { what, .. } if what == "a name" => {
+                "call it by a shorter one; `[labels]` and texts of panels hold more"
+            }
             Self::OverLimit { .. } => "leave some of it out, or make several scenes of it",
             Self::Endless { .. } => "look whether it is the file that was meant",
             Self::UnknownKey { .. } | Self::ForeignKeys { .. } | Self::UnknownWord { .. } => {

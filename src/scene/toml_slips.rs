@@ -38,7 +38,16 @@ pub(super) fn meant(message: &str, line: &str, quoted: &str) -> Option<String> {
         return Some("a digit stands before the point, as 0.5".to_owned());
     }
     let is_list = value.contains(',') && value.split(',').all(|word| is_number(word.trim()));
-    is_list.then(|| format!("a list stands between brackets: [{value}]"))
+    let has_comma = |(whole, part): &(&str, &str)| {
+        [whole.trim_start_matches('-'), part].iter().all(|word| word.bytes().all(|b| b.is_ascii_digit()))
+    };
+    let decimal = value.split_once(',').filter(has_comma);
+    is_list.then(|| match decimal {
+        Some((whole, part)) => {
+            format!("a point stands before decimals: {whole}.{part}; a list between brackets: [{value}]")
+        }
+        None => format!("a list stands between brackets: [{value}]"),
+    })
 }
 
 /// The key of a line around what the parser quotes, with the names in quotes that need them; a header as the
@@ -74,6 +83,7 @@ mod tests {
             ("kind = “circle”", "texts stand between straight quotes, as \"A\""),
             ("position = [3 0]", "commas stand between values, as 3, 0"),
             ("position = 3, 0", "a list stands between brackets: [3, 0]"),
+            ("radius = 1,5", "a point stands before decimals: 1.5; a list between brackets: [1,5]"),
             ("radius = .5", "a digit stands before the point, as 0.5"),
             ("radius = 1/2", "a number is written out, as 0.5"),
             ("radius = 1 m", "numbers have no unit: 1"),

@@ -24,6 +24,7 @@ fn a_question_and_its_key_have_names_of_their_own() {
     assert!(question.contains("\"variant\":\"question\"}") && !question.contains("\"answer\""));
     assert!(key.contains("\"answer\":{\"kind\":\"separation\"") && key.contains("Answer: "));
     assert!(!question.contains("nswer") && question.contains("Find how far A and B are apart"), "{question}");
+    assert!(question.contains("Lengths are in m."), "{question}");
     // Both are up to date, and the one is not the other.
     assert_eq!(render(&["--variant", "question,key", "--skip-unchanged"]).out, "");
     std::fs::copy(folder.path().join("s.key.svg"), folder.path().join("s.question.svg")).unwrap();

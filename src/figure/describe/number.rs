@@ -1,6 +1,6 @@
 //! Numbers and points in running text, in the language of a scene.
 
-use crate::figure::text::{Places, in_words, plain, rounded, rounded_down, rounded_up};
+use crate::figure::text::{Places, bound_and_parts, in_words, plain, rounded, rounded_down, rounded_up};
 use crate::figure::tongue::tongue;
 use crate::geometry::DVec2;
 use crate::scene::Scene;
@@ -41,6 +41,13 @@ impl Speech {
     /// A double of which is said that something is no more, to three digits.
     pub(super) fn at_most(self, v: f64) -> String {
         self.0.decimal(plain(&in_words(&rounded_up(v))))
+    }
+
+    /// A bound, a number that is part of it, and the bound of the rest, so that they add up as they are
+    /// written; `None` where no few digits do.
+    pub(super) fn bound_of(self, bound: f64, part: f64, rest: f64) -> Option<[String; 3]> {
+        let written = bound_and_parts(bound, part, rest)?;
+        Some(written.map(|text| self.0.decimal(plain(&in_words(&text)))))
     }
 
     /// A double of which is said that something is no less, to three digits.

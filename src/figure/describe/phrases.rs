@@ -15,11 +15,24 @@ phrases! {
         "kein Punkt von * bewegt sich weiter als *.",
         "aucun point de * ne se déplace de plus de *.",
         "ningún punto de * se mueve más de *.";
+    /// The bound of one that is carried along and turns: which, how far, of that with the velocity, the turn.
+    NO_FARTHER_BY: "no point of * travels farther than *: * with the velocity and at most * with the turn.",
+        "kein Punkt von * bewegt sich weiter als *: * mit der Geschwindigkeit und höchstens * mit der Drehung.",
+        "aucun point de * ne se déplace de plus de * : * avec la vitesse et au plus * avec la rotation.",
+        "ningún punto de * se mueve más de *: * con la velocidad y como máximo * con el giro.";
     /// The bound of two.
     NO_NEARER: "no two points of * and * come nearer to each other by more than *.",
         "keine zwei Punkte von * und * nähern sich um mehr als *.",
         "deux points de * et * ne se rapprochent jamais de plus de *.",
         "dos puntos de * y * nunca se acercan más de *.";
+    /// The bound of two that are carried along and turn.
+    NO_NEARER_BY: "no two points of * and * come nearer to each other by more than *: * with the velocities \
+        and at most * with the turns.",
+        "keine zwei Punkte von * und * nähern sich um mehr als *: * mit den Geschwindigkeiten und \
+        höchstens * mit den Drehungen.",
+        "deux points de * et * ne se rapprochent jamais de plus de * : * avec les vitesses et au plus * \
+        avec les rotations.",
+        "dos puntos de * y * nunca se acercan más de *: * con las velocidades y como máximo * con los giros.";
     /// No verdict.
     UNSAID: "rounding forbids to say whether * and * overlap.",
         "durch Rundung bleibt offen, ob * und * sich überlappen.",

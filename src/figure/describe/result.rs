@@ -17,9 +17,10 @@ use super::number::Speech;
 use super::phrases::{
     APART, APART_ALONG, APART_BY_ROUNDING, AT_MOMENT, BOX, BY_ROUNDING, CLOSEST, CLOSEST_AGAIN,
     CLOSEST_FIRST, CLOSEST_WHILE, CONTACTS_0, CONTACTS_1, CONTACTS_2, DEEP, DEEP_BY_ROUNDING, ENDS_EARLY,
-    HIT, HIT_ALONG, HIT_SOMEWHERE, MISS, NO_FARTHER, NO_NEARER, NO_OVERLAP, NO_OVERLAP_BY, OVERLAP,
-    OVERLAP_AND, OVERLAP_FIRST, PUSH, PUSH_ANY, PUSH_OF_MANY, ROUNDING, STALLED, STAY, STEP_CAP, TOLERANCE,
-    TOUCH, TOUCH_FIRST, TOUCH_OF_MANY, UNDECIDED, UNRESOLVED, UNRESOLVED_DEEP, UNSAID,
+    HIT, HIT_ALONG, HIT_SOMEWHERE, MISS, NO_FARTHER, NO_FARTHER_BY, NO_NEARER, NO_NEARER_BY, NO_OVERLAP,
+    NO_OVERLAP_BY, OVERLAP, OVERLAP_AND, OVERLAP_FIRST, PUSH, PUSH_ANY, PUSH_OF_MANY, ROUNDING, STALLED,
+    STAY, STEP_CAP, TOLERANCE, TOUCH, TOUCH_FIRST, TOUCH_OF_MANY, UNDECIDED, UNRESOLVED, UNRESOLVED_DEEP,
+    UNSAID,
 };
 
 /// How fast bodies must come nearer to be said to, in parts of how fast they pass each other: far above what
@@ -115,12 +116,26 @@ fn result_of([a, b]: [&str; 2], told: &Account) -> String {
         Answer::Separation(s) => separation_in_words([a, b], s, (Side::B, told.ways), told),
         Answer::Contact(contact) => contact_in_words([a, b], contact, told),
         Answer::Impact(impact) => impact_in_words([a, b], impact, told),
-        Answer::MotionBound(MotionBound { bound }) if b.is_empty() => {
-            speech.say(&NO_FARTHER, &[a, &speech.at_most(*bound)])
-        }
-        Answer::MotionBound(MotionBound { bound }) => {
-            speech.say(&NO_NEARER, &[a, b, &speech.at_most(*bound)])
-        }
+        Answer::MotionBound(bound) => bound_in_words([a, b], *bound, told),
+    }
+}
+
+/// How far any point goes of the body named `a`, or two of `a` and `b` together; with the shares of velocity
+/// and turn where both have one.
+fn bound_in_words([a, b]: [&str; 2], MotionBound { bound }: MotionBound, told: &Account) -> String {
+    let speech = told.speech;
+    let mut ways = told.run.told(|event| match event {
+        Event::MotionBounded { linear, arc, .. } => Some((*linear, *arc)),
+        _ => None,
+    });
+    let [linear, turns] = ways.by_ref().fold([0.0; 2], |[_, turns], (linear, arc)| [linear, turns + arc]);
+    let shares = if linear > 0.0 && turns > 0.0 { speech.bound_of(bound, linear, turns) } else { None };
+    let is_one = b.is_empty();
+    match shares {
+        Some([bound, linear, turns]) if is_one => speech.say(&NO_FARTHER_BY, &[a, &bound, &linear, &turns]),
+        Some([bound, linear, turns]) => speech.say(&NO_NEARER_BY, &[a, b, &bound, &linear, &turns]),
+        None if is_one => speech.say(&NO_FARTHER, &[a, &speech.at_most(bound)]),
+        None => speech.say(&NO_NEARER, &[a, b, &speech.at_most(bound)]),
     }
 }
 

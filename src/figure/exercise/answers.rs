@@ -12,7 +12,9 @@ use crate::typeset::as_markup;
 use super::askable::{all, askable, in_words};
 use super::givens::givens;
 use super::measure::Measure;
-use super::phrases::{ANSWER, BETWEEN, DIGITS, ENTER, EXACT, FIND, IN_UNIT, UNIT, UNITS, WITHIN, Words};
+use super::phrases::{
+    ANSWER, BETWEEN, DIGITS, ENTER, EXACT, FIND, IN_UNIT, LENGTHS_IN, TIMES_IN, UNIT, UNITS, WITHIN, Words,
+};
 use super::quantities::Askable;
 
 /// Where the class writes a number.
@@ -179,6 +181,13 @@ fn unit(row: &Askable, exercise: &Exercise, words: Words) -> String {
     }
 }
 
+/// In which units the numbers of an exercise are, where it gives them; as markup, after what is given.
+fn units(exercise: &Exercise, words: Words) -> String {
+    let given = [(&LENGTHS_IN, &exercise.length_unit), (&TIMES_IN, &exercise.time_unit)];
+    let said = given.map(|(phrase, unit)| unit.as_ref().map(|unit| words.say(phrase, &[&unit.value])));
+    said.into_iter().flatten().map(|text| format!(" {text}")).collect()
+}
+
 /// The numbers that answer an exercise, of the query's own moment; those that this answer lacks are left out.
 pub(super) fn answers(scene: &Scene, runs: &Runs, exercise: &Exercise) -> Vec<Asked> {
     let context = of_the_query(scene, runs);
@@ -218,7 +227,8 @@ pub(super) fn to_do(scene: &Scene, runs: &Runs, exercise: &Exercise) -> String {
 
 /// What is given and what is to be done, as paragraphs of markup.
 pub(super) fn task(scene: &Scene, runs: &Runs, exercise: &Exercise) -> Vec<String> {
-    vec![as_markup(&givens(scene, &runs.called.names(scene))), to_do(scene, runs, exercise)]
+    let given = as_markup(&givens(scene, &runs.called.names(scene)));
+    vec![given + &units(exercise, Words::of(scene)), to_do(scene, runs, exercise)]
 }
 
 /// The paragraphs of a question, as markup: what is given, what is to be done, a blank for each number.

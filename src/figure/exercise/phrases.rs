@@ -39,6 +39,16 @@ phrases! {
         "Der Zeitpunkt ist t = *.",
         "L’instant est t = *.",
         "El instante es t = *.";
+    /// The unit of lengths.
+    LENGTHS_IN: "Lengths are in *.",
+        "Längen sind in * angegeben.",
+        "Les longueurs sont données en *.",
+        "Las longitudes se dan en *.";
+    /// The unit of times.
+    TIMES_IN: "Times are in *.",
+        "Zeiten sind in * angegeben.",
+        "Les temps sont donnés en *.",
+        "Los tiempos se dan en *.";
     /// What is to be done.
     FIND: "Find *.", "Gesucht: *.", "Trouver *.", "Se pide: *.";
     /// An answer.

@@ -10,7 +10,7 @@ use crate::figure::sketch::{
     Weight,
 };
 use crate::figure::text::number;
-use crate::geometry::{DVec2, Pose, Side};
+use crate::geometry::{DVec2, Pose, Rotation, Side};
 use crate::trace::Event;
 use crate::trace::step::clamped as parts;
 
@@ -33,7 +33,8 @@ pub(super) const LAYER: Layer = Layer {
             name: "values",
             takes: Takes::Flag,
             default: "false",
-            about: "writes the components of V and of D, in the frame of the panel",
+            about: "writes the components of V and of D, in the frame of the panel; where V_x and V_y of a box \
+                    that is turned there are shown, theirs, and the length of D",
         },
     ],
     labels: &[
@@ -87,11 +88,14 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let cue = context.cue(|event| matches!(event, Event::Clamped { .. }));
     let at = |part| cue.map(|cue| cue.part(part));
     sketch.since(at(parts::WAY));
+    // Components in the frame of the panel are not those along the axes of a box that is turned in it.
+    let is_turned = context.frame().map_or(Rotation::NONE, |frame| frame.rotation) != c.pose.rotation;
+    let along = is_turned && options.flag("values", false) && (shows("components") || shows("clamped"));
     if shows("components") {
-        components(sketch, &c, shows("clamped"));
+        components(sketch, &c, shows("clamped"), along);
     }
     if shows("clamped") {
-        kept(sketch.since(at(parts::CUT)), options, &c);
+        kept(sketch.since(at(parts::CUT)), options, &c, along);
     }
     // Both in the frame of the panel, so that D is V less what is kept of it in the world as well.
     let seen = |v: DVec2| context.in_space(v) - context.in_space(DVec2::ZERO);
@@ -103,7 +107,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     if shows("V") {
         let (from, tip) = (c.pose.position, c.pose.point(c.v));
         sketch.since(at(parts::WAY)).part("V").arrow_to(from, tip, behind, Pen::vector(Role::Ink));
-        let text = valued("V", v, options);
+        let text = if along { "$V$".to_owned() } else { valued("V", v, options) };
         sketch.label(Label::new("V", text, Anchor::middle(from, tip), Role::Ink));
     }
     if shows("D") {
@@ -114,7 +118,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
             MARKER,
             Pen::vector(Role::Translation),
         );
-        let text = valued("D", d, options);
+        let text = if along { with_value("$|D|$", d.length(), true) } else { valued("D", d, options) };
         sketch.label(Label::new("D", text, Anchor::middle(from, tip), Role::Translation));
     }
     if shows("Bc") {
@@ -145,14 +149,23 @@ fn valued(letter: &str, vector: DVec2, options: &Options) -> String {
     }
 }
 
+/// A formula, with its value where one is wanted.
+fn with_value(formula: &str, value: f64, is_wanted: bool) -> String {
+    match formula.strip_suffix('$').filter(|_| is_wanted) {
+        Some(open) => format!("{open} = {}$", number(value)),
+        None => formula.to_owned(),
+    }
+}
+
 /// The axes of the box with the component of V and what clamping left of it.
 fn axes(c: &Clamped) -> [(DVec2, f64, f64); 2] {
     [(c.pose.vector(DVec2::X), c.v.x, c.kept.x), (c.pose.vector(DVec2::Y), c.v.y, c.kept.y)]
 }
 
 /// Draws `V_x` and `V_y` as arrows along the box's axes, each with a dashed line from its tip to the circle's
-/// centre. A component that was not cut is drawn only once, as what is left of it.
-fn components(sketch: &mut Sketch, c: &Clamped, with_kept: bool) {
+/// centre; `values` beside their letters. A component that was not cut is drawn only once, as what is left of
+/// it.
+fn components(sketch: &mut Sketch, c: &Clamped, with_kept: bool, values: bool) {
     let names = [("V_x", "$V_x$"), ("V_y", "$V_y$")];
     for ((axis, component, kept), (key, text)) in axes(c).into_iter().zip(names) {
         let tip = c.pose.position + axis * component;
@@ -160,13 +173,14 @@ fn components(sketch: &mut Sketch, c: &Clamped, with_kept: bool) {
         if !(with_kept && component == kept) {
             sketch.part(key).arrow(c.pose.position, tip, Pen::vector(Role::Muted));
             let anchor = Anchor::tip(c.pose.position, tip);
-            sketch.label(Label::new(key, text, anchor, Role::Muted));
+            sketch.label(Label::new(key, with_value(text, component, values), anchor, Role::Muted));
         }
     }
 }
 
-/// Draws what clamping left of the components, thick, and the rectangle that they span.
-fn kept(sketch: &mut Sketch, options: &Options, c: &Clamped) {
+/// Draws what clamping left of the components, thick, `values` beside their letters, and the rectangle that
+/// they span.
+fn kept(sketch: &mut Sketch, options: &Options, c: &Clamped, values: bool) {
     let role = options.role(Role::Now);
     // The two lead to its corner.
     let corners = [DVec2::ZERO, DVec2::new(c.kept.x, 0.0), c.kept, DVec2::new(0.0, c.kept.y)];
@@ -179,6 +193,6 @@ fn kept(sketch: &mut Sketch, options: &Options, c: &Clamped) {
         sketch.part("clamped").line(c.pose.position, end, Pen::highlighted(role));
         let (key, text) = if component == kept { (whole_key, whole) } else { (key, cut) };
         let anchor = Anchor::middle(c.pose.position, end);
-        sketch.label(Label::new(key, text, anchor, role));
+        sketch.label(Label::new(key, with_value(text, kept, values), anchor, role));
     }
 }

@@ -19,6 +19,15 @@ const OFFSET: f64 = 24.0;
 /// to be seen.
 pub(super) const ON_LINE: f64 = 1.0;
 
+/// About how wide "h_y = " is with the gap before it, page pixels.
+const LETTERS: f64 = 46.0;
+
+/// About how wide a digit is, page pixels.
+const DIGIT: f64 = 8.0;
+
+/// What a fitted view has beside what is drawn, page pixels.
+const ROOM: f64 = 40.0;
+
 /// Opacity of a line that leads through a body to its length.
 pub(super) const GUIDE: f64 = 0.55;
 
@@ -169,7 +178,12 @@ fn line(sketch: &mut Sketch, options: &Options, l: &Line) {
     sketch.part(&part).weight(Weight::Light).line(l.from + l.past + l.along, q, Pen::extension());
     let pen = if bar { Pen::highlighted(role) } else { Pen::dimension(role) };
     sketch.part(&part).bar(p, q, 0.0, pen);
-    let text = format!("${} = {}$", l.key, number(l.length));
+    // A fitted view has room for a short number beside a bar, and more is made for a longer one.
+    let written = number(l.length);
+    let px = LETTERS + DIGIT * f64::from(u32::try_from(written.len()).unwrap_or(0)) - ROOM;
+    let aside = (l.out.normalize_or_zero() * DVec2::X * sketch.px(px.max(0.0))).x;
+    sketch.reach(&[0.5 * (p + q) + DVec2::new(aside, 0.0)]);
+    let text = format!("${} = {written}$", l.key);
     sketch.label(Label::new(l.key, text, beside(p, q, l.out), role));
 }
 

@@ -382,7 +382,7 @@ impl<'f> Sketch<'f> {
     }
 
     /// Counts points for the fit of the view.
-    fn reach(&mut self, points: &[DVec2]) {
+    pub(crate) fn reach(&mut self, points: &[DVec2]) {
         if self.weight == Weight::Background {
             return;
         }

@@ -41,6 +41,7 @@ pub(crate) fn fill(
         let (before, from) = rest.split_at(start);
         out.push_str(before);
         let (written, after) = closed(from).map_err(|fault| Problem::new(fault, at.clone()))?;
+        let here = || within(at, text, text.len() - from.len()..text.len() - after.len());
         let (name, digits) = match written.split_once(':') {
             None => (written, Some(USUAL)),
             Some((name, asked)) => (name, Digits::asked(asked)),
@@ -55,13 +56,13 @@ pub(crate) fn fill(
                 continue;
             }
             let fault = lacking_fault(name, context);
-            return Err(Problem::new(fault.into(), at.clone()));
+            return Err(Problem::new(fault.into(), here()));
         };
         let Some(digits) = digits else {
             let reason =
                 "after the colon stands `.3` for three digits after the point, or `.3g` for three in all";
             let fault = Fault::BadMarkup { markup: format!("{{={written}}}"), reason: reason.to_owned() };
-            return Err(Problem::new(fault, at.clone()));
+            return Err(Problem::new(fault, here()));
         };
         let number = quantity.written(digits);
         out.push_str(&if ends_in_formula(&out) {
@@ -72,6 +73,17 @@ pub(crate) fn fill(
     }
     out.push_str(rest);
     Ok((out, lacking))
+}
+
+/// Where in the scene a part of a text stands that is at `at` with its quotes; all of that where the text is
+/// written otherwise than it reads.
+fn within(at: &Range<usize>, text: &str, part: Range<usize>) -> Range<usize> {
+    let quotes = 2;
+    if at.len() != text.len() + quotes {
+        return at.clone();
+    }
+    let begin = at.start + 1;
+    begin + part.start..begin + part.end
 }
 
 /// What is wrong with a value that no answer to the question has.
@@ -163,6 +175,25 @@ mod tests {
         for text in ["they touch at {=time", "{=time and {a|b}", "{=time:.3", "at {=time\\{x}"] {
             let problems = drawn(&format!("caption = '{text}'")).unwrap_err();
             assert!(problems[0].contains("`{=time") && problems[0].contains("close"), "{text}: {problems:?}");
+        }
+    }
+
+    #[test]
+    fn a_wrong_value_is_pointed_at_and_not_all_of_its_text() {
+        for (written, marked) in [
+            ("caption = 'they touch at {=tim}, then stop'", "{=tim}"),
+            ("caption = \"they touch at {=time:3}\"", "{=time:3}"),
+            ("caption = \"a \\u0041 at {=tim}\"", "\"a \\u0041 at {=tim}\""),
+        ] {
+            let text = format!(
+                "{written}
+                shapes.A = {{ kind = 'circle', radius = 1, velocity = [7, 0] }}
+                shapes.B = {{ kind = 'circle', radius = 1, position = [4.4, 0] }}
+                query = {{ kind = 'linear-sweep', of = ['A', 'B'] }}"
+            );
+            let scene = read(&Source::new("values.toml", &text)).unwrap();
+            let problems = plan(&scene).unwrap_err();
+            assert_eq!(&text[problems[0].span.clone()], marked);
         }
     }
 

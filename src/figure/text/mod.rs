@@ -35,7 +35,8 @@ pub(crate) use decimal::Decimal;
 pub(crate) use digits::Digits;
 pub(crate) use fill::filled;
 pub(crate) use number::{
-    in_math, in_words, number, parts, rounded, rounded_down, rounded_up, terms, whole_and_parts,
+    bound_and_parts, in_math, in_words, number, parts, rounded, rounded_down, rounded_up, terms,
+    whole_and_parts,
 };
 pub(crate) use overrides::{label_key, overridden};
 pub(crate) use places::Places;

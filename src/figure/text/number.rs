@@ -90,6 +90,24 @@ pub(crate) fn whole_and_parts(whole: f64, parts: &[f64], rest: f64) -> Vec<Strin
     written
 }
 
+/// A bound, a number that is part of it, and the bound of the rest: bounds no smaller than they are, to as many
+/// digits after the point as the first one has, or more, so that the two parts add up to it as they are
+/// written; `None` where [`MORE`] digits do not.
+#[must_use]
+pub(crate) fn bound_and_parts(bound: f64, part: f64, rest: f64) -> Option<[String; 3]> {
+    let written = |digits: Digits| [digits.at_least(bound), digits.of(part, part), digits.at_least(rest)];
+    let usual = written(USUAL);
+    if usual.iter().any(|text| text.contains('e')) {
+        return None;
+    }
+    let fewest = after_point(&usual[0]);
+    let more = (fewest..=fewest + MORE).map(|decimals| written(Digits::Decimals(decimals)));
+    std::iter::once(usual).chain(more).find(|texts| {
+        let [all, p, q] = texts.each_ref().map(|text| read(text).unwrap_or(f64::NAN));
+        (p + q - all).abs() <= ROUNDING * all
+    })
+}
+
 /// Digits of a text after its point.
 fn after_point(text: &str) -> usize {
     text.split_once('.').map_or(0, |(_, decimals)| decimals.len())

@@ -12,7 +12,7 @@ pub(super) fn faced(
     [from, to]: [DVec2; 2],
     normal: DVec2,
 ) -> String {
-    let [reference, incident] = [reference, incident].map(|feature| voice.part(feature));
+    let [reference, incident] = [(body, reference), (body.other(), incident)].map(|part| voice.part(part));
     let [from, to, normal] = [from, to, normal].map(|p| voice.point(p));
     let (own, other) = (voice.of(body), voice.of(body.other()));
     voice.say(&FACED, &[&reference, &own, &from, &to, &normal, &incident, &other])

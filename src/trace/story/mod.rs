@@ -25,10 +25,10 @@ use crate::geometry::{DVec2, Enclosure, Feature, Names, Side};
 pub(crate) use hand::{Hand, TOLD, USUAL, WHOLE};
 use motion::{advanced, closest_approach, compared, motion, ray, swept};
 use phrases::events::{
-    AXIS, BOTTOM, BOX, CLAMPED, DIFFERENCE_EDGE, DISC, FINISHED, GAP, LEAST_PENETRATING, LEAST_POSITIVE,
-    LEFT, MERGED, NO_MORE, OUTCOMES, OVERLAP, PENETRATION, POLYTOPE, POLYTOPE_GROWN, PROJECTED, RIGHT,
-    ROUNDED, SEPARATED, SETTLED, SIMPLEX, SIMPLEX_HOLDS, SPLITS, SQUARES, STARTED, SUPPORT, TIE, TOGETHER,
-    TOP, TURNS_MORE, WAY_OUT,
+    AXIS, BOTTOM, BOX, CLAMPED, DIFFERENCE_EDGE, DIFFERENCE_EDGE_OF_CENTER, DISC, FINISHED, GAP,
+    LEAST_PENETRATING, LEAST_POSITIVE, LEFT, MERGED, NO_MORE, OUTCOMES, OVERLAP, PENETRATION, POLYTOPE,
+    POLYTOPE_GROWN, PROJECTED, RIGHT, ROUNDED, SEPARATED, SETTLED, SIMPLEX, SIMPLEX_HOLDS, SPLITS, SQUARES,
+    STARTED, SUPPORT, TIE, TOGETHER, TOP, TURNS_MORE, WAY_OUT,
 };
 pub(crate) use place::place;
 pub(crate) use words::{Voice, script};
@@ -228,6 +228,9 @@ fn difference_edge(
     let (own, other, what) = (voice.of(source), voice.of(source.other()), voice.difference());
     let far = ends.iter().map(|p| p.length()).fold(0.0, f64::max);
     let aside = voice.aside(distance, far);
+    if voice.names.is_of_circle(source.other()) {
+        return voice.say(&DIFFERENCE_EDGE_OF_CENTER, &[&edge, &own, &other, &from, &to, &what, &aside]);
+    }
     voice.say(&DIFFERENCE_EDGE, &[&edge, &own, &vertex, &other, &from, &to, &what, &aside])
 }
 
@@ -261,7 +264,7 @@ fn candidate(
         Goal::LeastPositive => &LEAST_POSITIVE,
     };
     let (distance, foot) = (voice.length(distance), voice.point(foot));
-    voice.say(best, &[&distance, &foot, &voice.part(feature), &voice.of(side)])
+    voice.say(best, &[&distance, &foot, &voice.part((side, feature)), &voice.of(side)])
 }
 
 fn axis_tested(
@@ -278,7 +281,7 @@ fn axis_tested(
     } else {
         voice.say(&OVERLAP, &[&second, &voice.length(-gap), &first])
     };
-    let (axis, part, of) = (voice.point(axis), voice.part(feature), voice.of(side));
+    let (axis, part, of) = (voice.point(axis), voice.part((side, feature)), voice.of(side));
     voice.say(&AXIS, &[&axis, &part, &of, &first, &a, &second, &b, &between])
 }
 

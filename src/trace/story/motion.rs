@@ -22,7 +22,7 @@ pub(super) fn ray(
         Culling::Hit => &ENTERED,
     };
     let when = time.map_or_else(String::new, |t| voice.say(&AT_TIME, &[&voice.number(t)]));
-    let (part, body) = (voice.part(feature), voice.of(side));
+    let (part, body) = (voice.part((side, feature)), voice.of(side));
     voice.say(&RAY, &[&part, &body, &voice.point(from), &voice.point(to), &voice.word(came), &when])
 }
 

@@ -118,7 +118,7 @@ pub(crate) fn title(event: &Event, of: usize, voice: Voice) -> String {
         Event::OriginProjected { .. } => &words::NEAREST_POINT,
         Event::CandidateImproved { .. } => &words::LEAST,
         Event::AxisTested { source: (side, feature), .. } => {
-            return voice.say(&words::NORMAL_OF, &[&voice.part(*feature), &voice.of(*side)]);
+            return voice.say(&words::NORMAL_OF, &[&voice.part((*side, *feature)), &voice.of(*side)]);
         }
         Event::SeparatingAxisFound { .. } => &words::SEPARATING,
         Event::SimplexUpdated { vertices, closest, .. } => {

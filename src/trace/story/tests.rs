@@ -5,6 +5,25 @@ use crate::geometry::{DVec2, Enclosure, Feature, Names, Side};
 use crate::trace::{Moment, SupportVertex};
 
 #[test]
+fn the_only_vertex_of_a_circle_is_its_centre() {
+    let event = Event::DifferenceEdgeFound {
+        source: Side::B,
+        edge: 2,
+        vertex: 0,
+        from: DVec2::ZERO,
+        to: DVec2::X,
+        normal: DVec2::NEG_Y,
+        distance: 1.0,
+    };
+    let [plain, circle] = [[false; 2], [true, false]].map(|circles| {
+        let names = Names::new("puck", Some("goal")).of_circles(circles);
+        sentence(&event, &names)
+    });
+    assert!(plain.starts_with("Edge 2 of goal with vertex 0 of puck is"), "{plain}");
+    assert!(circle.starts_with("Edge 2 of goal with the centre of puck is"), "{circle}");
+}
+
+#[test]
 fn a_tie_is_told_with_both_vertices() {
     let at = |index, x, y| SupportVertex { index, point: DVec2::new(x, y) };
     let event = Event::SupportFound {

@@ -47,7 +47,7 @@ pub(crate) fn by_axes(event: &Event, voice: Voice) -> Option<String> {
         Goal::LeastPositive => &LARGEST_GAP,
         Goal::LeastPenetrating => &LEAST_OVERLAP,
     };
-    let (size, part, body) = (voice.length(distance.abs()), voice.part(*feature), voice.of(*side));
+    let (size, part, body) = (voice.length(distance.abs()), voice.part((*side, *feature)), voice.of(*side));
     Some(voice.say(phrase, &[&size, &part, &body]))
 }
 
@@ -129,7 +129,7 @@ fn nearest(rows: &[&Event], voice: Voice) -> Option<String> {
                 Goal::LeastPositive => &NEAREST,
                 Goal::LeastPenetrating => &LEAST_DEEP,
             };
-            let (edge, body) = (voice.part(*feature), voice.of(*side));
+            let (edge, body) = (voice.part((*side, *feature)), voice.of(*side));
             let (size, foot) = (voice.length(distance.abs()), voice.point(*foot));
             Some(voice.say(phrase, &[&edge, &body, &size, &foot]))
         }

@@ -2,7 +2,8 @@
 
 use super::hand::{Hand, number, short};
 use super::phrases::{
-    AT_ANGLE, AWAY, BOTH, EDGE, INSIDE, INSIDE_LINE, LESS, NEAR_LINE, OUTSIDE_LINE, SPAN, VERTEX, VERTEX_AT,
+    AT_ANGLE, AWAY, BOTH, CENTER, EDGE, INSIDE, INSIDE_LINE, LESS, NEAR_LINE, OUTSIDE_LINE, SPAN, VERTEX,
+    VERTEX_AT,
 };
 use super::place::place;
 use crate::geometry::{DVec2, Enclosure, Feature, Names, Side, power_of_ten};
@@ -119,9 +120,10 @@ impl<'n> Voice<'n> {
         self.say(&SPAN, &[&lo, &hi])
     }
 
-    /// A vertex or an edge by its index.
-    pub(super) fn part(self, feature: Feature) -> String {
+    /// A vertex or an edge of a body by its index, or the centre of a circle.
+    pub(super) fn part(self, (side, feature): (Side, Feature)) -> String {
         match feature {
+            Feature::Vertex(_) if self.names.is_of_circle(side) => self.word(&CENTER),
             Feature::Vertex(i) => self.say(&VERTEX, &[&i.to_string()]),
             Feature::Edge(i) => self.say(&EDGE, &[&i.to_string()]),
         }

@@ -195,6 +195,12 @@ fn a_bound_is_said_no_smaller_than_it_is() {
         query = { kind = 'motion-bound', of = ['a'] }";
     // √10 · 111° = 6.1263…
     assert_eq!(said(text), "No point of a travels farther than 6.13.");
+    // A velocity of √26 = 5.0990… and a turn of √2.5 · 120° = 3.3115….
+    let text = "shapes.a = { kind = 'box', half_extents = [1.5, 0.5], velocity = [5, 1], angular_velocity_deg = 120 }
+        query = { kind = 'motion-bound', of = ['a'] }";
+    let expected =
+        "No point of a travels farther than 8.411: 5.099 with the velocity and at most 3.312 with the turn.";
+    assert_eq!(said(text), expected);
 }
 
 #[test]
@@ -267,6 +273,12 @@ fn the_bound_of_two_bodies_is_of_their_ways_together() {
         shapes.b = { kind = 'circle', radius = 1, position = [4, 3], velocity = [-2, 0] }
         query = { kind = 'motion-bound', of = ['a', 'b'] }";
     assert_eq!(said(text), "No two points of a and b come nearer to each other by more than 5.");
+    let text = "shapes.a = { kind = 'circle', radius = 1, velocity = [3, 0], angular_velocity_rad = 2 }
+        shapes.b = { kind = 'circle', radius = 1, position = [4, 3], angular_velocity_rad = -1.5 }
+        query = { kind = 'motion-bound', of = ['a', 'b'] }";
+    let expected = "No two points of a and b come nearer to each other by more than 6.5: \
+        3 with the velocities and at most 3.5 with the turns.";
+    assert_eq!(said(text), expected);
 }
 
 #[test]

@@ -59,6 +59,11 @@ phrases! {
         "Kante * von * mit Ecke * von * ist die Kante * bis * von *; der Ursprung liegt * ihrer Geraden.",
         "L’arête * de * avec le sommet * de * est l’arête * à * de * ; l’origine est * de sa droite.",
         "La arista * de * con el vértice * de * es la arista * a * de *; el origen está * de su recta.";
+    /// An edge of B ⊖ A with a circle: edge, body, the circle, from, to, of what, and where the origin is.
+    DIFFERENCE_EDGE_OF_CENTER: "Edge * of * with the centre of * is the edge * to * of *; the origin is * its line.",
+        "Kante * von * mit dem Mittelpunkt von * ist die Kante * bis * von *; der Ursprung liegt * ihrer Geraden.",
+        "L’arête * de * avec le centre de * est l’arête * à * de * ; l’origine est * de sa droite.",
+        "La arista * de * con el centro de * es la arista * a * de *; el origen está * de su recta.";
     /// The next edge of a merge: edge, body, why.
     MERGED: "Next the edge * of *: *.",
         "Als Nächstes die Kante * von *: *.",

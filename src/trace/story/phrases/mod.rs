@@ -13,6 +13,8 @@ phrases! {
     AT_ANGLE: "* at * deg", "* bei * Grad", "* à * degrés", "* a * grados";
     /// A vertex by its index.
     VERTEX: "vertex *", "Ecke *", "sommet *", "vértice *";
+    /// The vertex of a circle.
+    CENTER: "the centre", "Mittelpunkt", "centre", "centro";
     /// An edge by its index.
     EDGE: "edge *", "Kante *", "arête *", "arista *";
     /// A vertex and its place.
