@@ -4,6 +4,7 @@
 //! layer of the contact has nothing to draw; that is no mistake in the scene. A layer that no answer could
 //! ever feed is one.
 
+use super::Options;
 use crate::figure::context::Context;
 
 /// Whether a layer finds what it draws at its panel's moment.
@@ -27,6 +28,16 @@ pub(crate) enum Fed {
 }
 
 impl Fed {
+    /// What is drawn at one moment only: a `path` that is asked for has no way to draw.
+    pub(super) fn at_one_moment(self, options: &Options) -> Self {
+        match self {
+            Self::Yes if options.flag("path", false) => {
+                Self::Without { option: "path", why: "no motion leads there" }
+            }
+            other => other,
+        }
+    }
+
     /// A layer that depends on the scene's bodies and algorithm alone, and not on how the answer turns out.
     pub(super) fn by_the_scene(found: bool) -> Self {
         if found { Self::Yes } else { Self::Never }

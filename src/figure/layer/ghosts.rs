@@ -132,13 +132,13 @@ pub(super) const LAYER: Layer = Layer {
     fed: |context, options| match options.word("at", When::HIT) {
         SEPARATED => match separation(context) {
             Some(answer) if push(&answer).is_none() => Fed::NotHere("no push is needed to part the bodies"),
-            answer => Fed::by_the_scene(answer.is_some()),
+            answer => Fed::by_the_scene(answer.is_some()).at_one_moment(options),
         },
         RIVAL => match (rival(context), separation(context)) {
             (None, Some(_)) => Fed::NotHere("the bodies are apart already, or have no other way out"),
-            (way, _) => Fed::by_the_scene(way.is_some()),
+            (way, _) => Fed::by_the_scene(way.is_some()).at_one_moment(options),
         },
-        NOW => Fed::Yes,
+        NOW => Fed::Yes.at_one_moment(options),
         STEPS => Fed::by_the_scene(!context.steps().is_empty()),
         _ => Fed::by_the_answer(when(context, options).is_some(), context.asks_for_a_hit()),
     },

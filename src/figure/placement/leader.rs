@@ -18,6 +18,9 @@ const ROUNDING: f64 = 1e-6;
 /// Length of a leader line below which it is not seen to be one, page pixels.
 const SHORTEST: f64 = 5.0;
 
+/// Shares of the way from the nearest point of a line to its middle that are tried for the end of a leader.
+const SHARES: [f64; 3] = [0.75, 0.5, 0.25];
+
 /// The least depth of the dot in an area, page pixels: beside its line, not on it.
 const SHALLOW: f64 = 3.0;
 
@@ -72,10 +75,16 @@ pub(super) fn leader(things: &Things, rect: &Rect, w: &Places) -> Option<Leader>
 
 /// The leader line of a label in a box to the line of what it belongs to.
 pub(super) fn onto(own: &Thing, rect: &Rect, w: &Places) -> Option<Leader> {
-    // The middle of a line where that is near enough, else the nearest point of it.
-    let aimed = straight(own, rect, own.aim(rect.center()), w);
-    let long = aimed.is_some_and(|line| line.length() > LONGEST);
-    if long { straight(own, rect, own.nearest(rect.center()), w) } else { aimed }
+    // The middle of a line where that is near enough, else as near to it as is: at an end other lines begin.
+    let [middle, nearest] = [own.aim(rect.center()), own.nearest(rect.center())];
+    let towards = |part: f64| straight(own, rect, nearest + (middle - nearest) * part, w);
+    let is_near = |line: &Leader| line.length() <= LONGEST;
+    let aimed = towards(1.0);
+    if aimed.as_ref().is_none_or(is_near) || !own.has_ends() {
+        let long = aimed.is_some_and(|line| !is_near(&line));
+        return if long { towards(0.0) } else { aimed };
+    }
+    SHARES.into_iter().filter_map(towards).find(is_near).or_else(|| towards(0.0))
 }
 
 /// The leader line of a label off an end of a line to the middle of that; none where it would be too long, or
@@ -186,6 +195,16 @@ mod tests {
             let line = leader(&things, &about(Point::new(60.0, -20.0), (30.0, 12.0)), W).unwrap();
             assert!(line.from.x > 4.0 && line.from.x < 16.0, "{kind:?}: {line:?}");
         }
+    }
+
+    #[test]
+    fn a_leader_that_reaches_no_middle_ends_beside_the_end_of_a_line() {
+        let panel = Rect { x0: -200.0, y0: -200.0, x1: 200.0, y1: 200.0 };
+        let ends = vec![Point::new(0.0, 0.0), Point::new(160.0, 0.0)];
+        let things = Things::among(&[], Thing::new(Kind::Length, ends, 0.0), &panel);
+        // Its nearest corner is 20 px left of the line's end and 20 below it.
+        let line = leader(&things, &about(Point::new(-50.0, 32.0), (60.0, 24.0)), W).unwrap();
+        assert!(line.length() <= LONGEST && line.from.x > 8.0, "{line:?}");
     }
 
     #[test]
