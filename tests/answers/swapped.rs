@@ -325,6 +325,30 @@ fn what_one_order_proves_at_once_the_other_proves_too() {
 }
 
 #[test]
+fn an_overlap_is_proved_both_ways_round_by_every_algorithm_however_far_one_body_reaches() {
+    let near = [
+        r#""points": [[3.0625, 6.125], [0, 1.25]], "radius": 2.375, "position": [-1.25, 1]"#,
+        r#""points": [[2.375, 1.25], [2.375, 1]], "radius": 5.0625, "position": [1, 3.0625]"#,
+    ];
+    let far = [
+        r#""points": [[6.125e69, 0], [-1, 1]], "radius": 0"#,
+        r#""points": [[1.3611294676837539e40, -1.3611294676837539e40], [6.125, 6.125]], "radius": 3.0625"#,
+    ];
+    for ((near, far), algorithm) in near.into_iter().zip(far).flat_map(|pair| {
+        ["closest-features", "gjk", "separating-axes", "merge", "minkowski"].map(|word| (pair, word))
+    }) {
+        for of in ["[\"A\", \"B\"]", "[\"B\", \"A\"]"] {
+            let found = answer(&format!(
+                r#"{{"shapes": {{"A": {{"kind": "capsule", {near}}}, "B": {{"kind": "capsule", {far}}}}},
+                "query": {{"kind": "overlap", "of": {of}, "algorithm": "{algorithm}"}}}}"#
+            ));
+            let verdict = found.get("overlap").unwrap().to_string();
+            assert_eq!(verdict, "true", "{algorithm}, {of}: {near}, {far}");
+        }
+    }
+}
+
+#[test]
 fn bodies_that_overlap_at_the_start_overlap_however_far_one_of_them_reaches() {
     // A half-plane, but for its length, whose lower side the box reaches over by 3.0625. Doubles see its end
     // as far from the box as its other end is long.

@@ -86,11 +86,20 @@ fn with_commas(latex: &str) -> String {
         match c {
             // A full stop of a name has a backslash before it.
             '.' if is_digit(at.checked_sub(1)) && is_digit(Some(at + 1)) => out.push_str("{,}"),
-            ',' if is_digit(at.checked_sub(1)) && bytes.get(at + 1) == Some(&b' ') => out.push(';'),
+            ',' if ends_in_number(&latex[..at]) && bytes.get(at + 1) == Some(&b' ') => out.push(';'),
             c => out.push(c),
         }
     }
     out
+}
+
+/// Whether a formula so far ends in a digit, or in the power of one: `10^{-6}`.
+fn ends_in_number(latex: &str) -> bool {
+    let power = latex.strip_suffix('}').and_then(|open| open.rsplit_once("^{"));
+    match power {
+        Some((_, exponent)) => !exponent.is_empty() && !exponent.contains(['{', '}']),
+        None => latex.ends_with(|c: char| c.is_ascii_digit()),
+    }
 }
 
 #[cfg(test)]
@@ -114,6 +123,8 @@ mod tests {
         assert_eq!(set("depth $d = 2.5$"), "depth $d = 2{,}5$");
         assert_eq!(set("max $= (1.5, 2)$"), "max $= (1{,}5; 2)$");
         assert_eq!(set(r"v1.2 $v_{\text{v1\.2}} = 10^{-3}$"), r"v1.2 $v_{\text{v1\.2}} = 10^{-3}$");
+        assert_eq!(set(r"$(8 \times 10^{-6}, 10^{-6})$"), r"$(8 \times 10^{-6}; 10^{-6})$");
+        assert_eq!(set(r"$p_{\text{b}}, q^{2}_{1}, 3$"), r"$p_{\text{b}}, q^{2}_{1}, 3$");
         assert_eq!(set(r"$p_{\text{b},1}$"), r"$p_{\text{b},1}$");
         assert_eq!(Decimal::Point.in_formulas("$d = 2.5$"), "$d = 2.5$");
         assert_eq!(Decimal::Comma.in_number("−2.5".to_owned()), "−2,5");

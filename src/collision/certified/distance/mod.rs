@@ -68,11 +68,17 @@ fn settled(pair: &Pair, hint: Option<DifferenceFeature>) -> witnesses::Proved {
     if let Some(bounds) = exact::bounds(pair, &proved.carrier) {
         proved.narrow(bounds);
     }
-    if is_open(proved.bounds) {
-        let swapped = Pair::refined_at(pair.b, pair.a, pair.time);
-        let other = search::proved(&swapped, None);
+    // In both frames without the hint: what it leads to may be the wrong feature, where doubles lose a body's
+    // size beside the other's.
+    let unhinted = hint.map(|_| (pair.a, pair.b));
+    for (a, b) in std::iter::once((pair.b, pair.a)).chain(unhinted) {
+        if !is_open(proved.bounds) {
+            break;
+        }
+        let again = Pair::refined_at(a, b, pair.time);
+        let other = search::proved(&again, None);
         proved.narrow(other.bounds);
-        if let Some(bounds) = exact::bounds(&swapped, &other.carrier) {
+        if let Some(bounds) = exact::bounds(&again, &other.carrier) {
             proved.narrow(bounds);
         }
     }
