@@ -13,12 +13,14 @@ use super::exercise;
 use super::fault::{Fault, Problem};
 use super::grounds::grounds;
 use super::handle::Handle;
+use super::layer::is_key;
 use super::page::Page;
 use super::placement::{LabelFault, Labelled, faults, tint};
 use super::plan::Plan;
 use super::printed::{across, title, under};
 use super::runs::Run;
 use super::steps::{Scope, numbered};
+use super::text::overridden;
 use super::theme::{Side, Theme};
 use super::tongue::tongue;
 
@@ -146,11 +148,20 @@ pub fn draw_in_steps(plan: &Plan, theme: &Theme, id: &str) -> Figure {
 pub fn draw_after(plan: &Plan, theme: &Theme, id: &str, before: Option<&Figure>) -> Figure {
     let mut figure = draw_unjudged(plan, theme, id, before);
     let has_view = !plan.scene.panels.is_empty();
-    let faults = figure.faults().into_iter().map(|fault| {
-        let span = fault.label().1.clone();
-        Problem::new(Fault::LabelClash { fault, has_view }, span)
+    let is_pinned =
+        |key: &str| overridden(plan.scene, key, is_key).is_some_and(|(_, label)| label.at.is_some());
+    let number = |i: usize| Some(i + 1).filter(|_| figure.panels.len() > 1);
+    let of_panels = figure.panels.iter().enumerate().map(|(i, panel)| (number(i), panel));
+    let all = of_panels.chain(figure.insets.iter().map(|inset| (None, inset)));
+    let told = all.flat_map(|(panel, labelled)| {
+        faults(labelled).into_iter().map(move |fault| {
+            let (key, span) = fault.label();
+            let (is_pinned, span) = (is_pinned(key), span.clone());
+            Problem::new(Fault::LabelClash { fault, panel, has_view, is_pinned }, span)
+        })
     });
-    figure.warnings.extend(faults);
+    let told: Vec<Problem> = told.collect();
+    figure.warnings.extend(told);
     figure
 }
 

@@ -62,6 +62,11 @@ pub enum Fault {
         /// What the case is, as "no body moves".
         why: &'static str,
     },
+    /// A note: panels play, and a text of the figure tells their moment, which it has only once.
+    StillText {
+        /// Which text, as "headline".
+        what: &'static str,
+    },
     /// A warning: the list of a panel's layers is empty, and so is the panel.
     NoLayers,
     /// A note: an option of a layer has nothing to draw here, though the layer has.
@@ -148,8 +153,12 @@ pub enum Fault {
     LabelClash {
         /// What is wrong with it.
         fault: LabelFault,
+        /// Which panel it is in, from 1, where there are several and it is in no inset.
+        panel: Option<usize>,
         /// Whether the scene has a panel of its own, which may have a `view`.
         has_view: bool,
+        /// Whether the scene says where the label stands.
+        is_pinned: bool,
     },
 }
 
@@ -182,6 +191,7 @@ impl Fault {
             | Self::NothingToDraw { .. }
             | Self::NothingForOption { .. }
             | Self::NothingPlays { .. }
+            | Self::StillText { .. }
             | Self::OutOfView { .. }
             | Self::BadName { .. }
             | Self::NoValue { .. } => Severity::Note,
@@ -205,7 +215,7 @@ impl Explain for Fault {
             | Self::NothingToDraw { .. }
             | Self::NothingForOption { .. }
             | Self::NoValue { .. } => codes::NOT_IN_ANSWER.code,
-            Self::NothingPlays { .. } => codes::NOTHING_PLAYS.code,
+            Self::NothingPlays { .. } | Self::StillText { .. } => codes::NOTHING_PLAYS.code,
             Self::OutOfView { .. } => codes::OUT_OF_VIEW.code,
             Self::NoLayers => codes::NO_LAYERS.code,
             Self::EmptyView { .. } => codes::EMPTY_VIEW.code,
@@ -238,6 +248,7 @@ impl Explain for Fault {
             Self::NoLayers => Some("without the key `layers` it shows what suits the answer".to_owned()),
             Self::EmptyView { .. } => Some("without the key `view` it shows all of it".to_owned()),
             Self::NothingPlays { .. } => Some("it is drawn as it stands".to_owned()),
+            Self::StillText { .. } => Some("the `caption` or `title` of a panel plays".to_owned()),
             Self::OutOfView { .. } => {
                 Some("a panel's `view = [x0, y0, x1, y1]` reaches as far as it says".to_owned())
             }
@@ -257,14 +268,18 @@ impl Explain for Fault {
             Self::OffPage { .. } => Some(
                 "give the panel a wider `view`, or none, or leave out the layer that draws it".to_owned(),
             ),
-            Self::LabelClash { fault, has_view } => {
+            Self::LabelClash { fault, has_view, is_pinned, .. } => {
                 let key = fault.label().0;
                 let room = if *has_view {
                     "give the panel a wider `view`"
                 } else {
                     "give the figure a larger `width` in `[canvas]`"
                 };
-                Some(format!("pin it: `{key} = {{ at = \"NE\" }}` in `[labels]`, or {room}"))
+                Some(if *is_pinned {
+                    format!("pin it elsewhere or let it find a place, shorten its text, or {room}")
+                } else {
+                    format!("pin it: `{key} = {{ at = \"NE\" }}` in `[labels]`, or {room}")
+                })
             }
             Self::NoHit => Some(
                 "`kind = \"linear-sweep\"` and `kind = \"time-of-impact\"` ask for one; a `time` is a number \
@@ -316,6 +331,9 @@ impl fmt::Display for Fault {
                 )
             }
             Self::NothingPlays { why } => write!(f, "nothing plays: {why}"),
+            Self::StillText { what } => {
+                write!(f, "the `{what}` of the figure stands still while panels play, and tells a moment")
+            }
             Self::OutOfView { name } => {
                 write!(f, "`{name}` is not on the picture: it is far from the bodies of the query")
             }
@@ -336,6 +354,7 @@ impl fmt::Display for Fault {
                 write!(f, "the {what} takes {lines} lines and the page has room for {room}: it is left out")
             }
             Self::OffPage { group } => write!(f, "`{group}` has a place that is not on any page"),
+            Self::LabelClash { fault, panel: Some(panel), .. } => write!(f, "{fault} (panel {panel})"),
             Self::LabelClash { fault, .. } => fault.fmt(f),
         }
     }

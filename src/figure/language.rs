@@ -88,7 +88,7 @@ pub(crate) static WORDS: &[Row] = &rows([
     ["$*$, longer", "$*$", "$*$, länger", "$*$, plus long", "$*$, más largo"],
     ["their points: $*", "$*", "ihre Punkte: $*", "leurs points : $*", "sus puntos: $*"],
     ["one of several", "", "eine von mehreren", "parmi plusieurs", "entre varias"],
-    ["clamped $*$", r"$\mathrm{clamp}(*)$", "begrenzt $*$", "$*$ borné", "$*$ limitado"],
+    ["clamped $*$", r"$\mathrm{clamp}(*)$", "$*$ begrenzt", "$*$ borné", "$*$ limitado"],
     ["largest gap:", "", "größte Lücke:", "plus grand écart :", "hueco mayor:"],
     ["centres:", "", "Mitten:", "centres :", "centros:"],
     ["two frames:", "", "zwei Bilder:", "deux images :", "dos fotogramas:"],
@@ -103,6 +103,13 @@ pub(crate) static WORDS: &[Row] = &rows([
     ["deepest vertex:", "", "tiefste Ecke:", "sommet le plus profond :", "vértice más hondo:"],
     ["centre ray:", "", "Strahl der Mitte:", "rayon du centre :", "rayo del centro:"],
     ["one point", "", "ein Punkt", "un seul point", "un solo punto"],
+    [
+        "edge's line: $*$",
+        "$*$",
+        "Gerade der Kante: $*$",
+        "droite de l’arête : $*$",
+        "recta de la arista: $*$",
+    ],
     ["no hit", "", "kein Treffer", "pas de contact", "sin contacto"],
     ["division by 0", "", "Division durch 0", "division par 0", "división por 0"],
     [

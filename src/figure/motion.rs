@@ -7,6 +7,7 @@
 //! is like it.
 
 use crate::drawing::{Drawing, MotionFrame};
+use crate::scene::{Scene, Spanned};
 
 use super::clock::{self, Clock};
 use super::draw::{Figure, draw, draw_after};
@@ -28,6 +29,9 @@ use super::view;
 const MOST_POINTS: usize = 8 * MAX_POINTS;
 /// Moments at which a panel without a `view` is looked at, so that it has room for what plays there.
 const LOOKS: usize = 8;
+
+/// How a value begins that tells the moment.
+const MOMENT: &str = "{=moment";
 
 /// The plan of a figure on its way, at `time`, with what its layers draw; what does not play, and the page,
 /// is as in the figure.
@@ -103,6 +107,7 @@ pub fn draw_in_motion(plan: &Plan, theme: &Theme, id: &str, count: usize) -> Res
             return Ok(finished);
         }
     };
+    finished.warnings.extend(still_texts(plan.scene));
     let (end, is_shown) = (played.end(), played.is_shown(plan));
     let parts = u32::try_from(count.max(2) - 1).unwrap_or(u32::MAX);
     let time = |k: u32| end * (f64::from(k) / f64::from(parts));
@@ -128,6 +133,16 @@ pub fn draw_in_motion(plan: &Plan, theme: &Theme, id: &str, count: usize) -> Res
     let frames = with_clocks(way, &finished.drawing, &played, theme);
     finished.drawing.motion = frames;
     Ok(finished)
+}
+
+/// Notes on the texts of a figure that tell a moment: they are those of the finished picture in each.
+fn still_texts(scene: &Scene) -> impl Iterator<Item = Problem> + '_ {
+    let all = [("headline", &scene.headline), ("caption", &scene.caption)];
+    let told = |text: &Spanned<String>| text.value.contains(MOMENT);
+    all.into_iter().filter_map(move |(what, text)| {
+        let text = text.as_ref().filter(|text| told(text))?;
+        Some(Problem::new(Fault::StillText { what }, text.span.clone()))
+    })
 }
 
 /// A picture on the way.

@@ -18,8 +18,8 @@ phrases! {
     /// Where the origin of a body is, from which its vertices are given.
     MOVED: ", as seen from its origin at *",
         ", gesehen vom Ursprung des Körpers bei *",
-        ", vus de l’origine du corps en *",
-        ", vistos desde el origen del cuerpo en *";
+        " (coordonnées depuis l’origine du corps, en *)",
+        " (coordenadas desde el origen del cuerpo, que está en *)";
     /// Where a body is.
     AT: " at *", " bei *", " en *", " en *";
     /// By which angle a body is turned.

@@ -13,12 +13,15 @@ use super::askable::{all, askable, in_words};
 use super::givens::givens;
 use super::measure::Measure;
 use super::phrases::{
-    ANSWER, BETWEEN, DIGITS, ENTER, EXACT, FIND, IN_UNIT, LENGTHS_IN, TIMES_IN, UNIT, UNITS, WITHIN, Words,
+    ANSWER, BETWEEN, DIGITS, ENTER, EXACT, FIND, GAP_ALONG, IN_UNIT, LENGTHS_IN, TIMES_IN, UNIT, UNITS,
+    WITHIN, Words,
 };
 use super::quantities::Askable;
 
 /// Where the class writes a number.
 const BLANK: &str = "____________";
+/// What is asked of the gap of two AABBs, and along which axis.
+const GAPS: [(&str, &str); 2] = [("D.x", "x"), ("D.y", "y")];
 /// A share of a unit of the third digit: what is rounded to three digits is right.
 const HALF_A_UNIT: f64 = 0.5;
 /// Digits after the first one of an answer that is given to three.
@@ -167,6 +170,12 @@ fn what(row: &Askable, scene: &Scene, runs: &Runs) -> String {
     let (names, words) = (runs.called.names(scene), Words::of(scene));
     let [a, b] = [Side::A, Side::B].map(|side| as_markup(&names.quoted(side)));
     let all = if b.is_empty() { vec![a.clone()] } else { vec![a.clone(), b.clone()] };
+    // D is another thing for two AABBs.
+    let axis = GAPS.iter().find(|(name, _)| *name == row.name).map(|(_, axis)| *axis);
+    let run = runs.own(scene, scene.query.time);
+    if let Some(axis) = axis.filter(|_| run.events().any(|e| matches!(e, Event::ExtentsCompared { .. }))) {
+        return words.say(&GAP_ALONG, &[&words.listed(&all), axis]);
+    }
     in_words(words.word(&row.what), [&words.listed(&all), &a, &b])
 }
 

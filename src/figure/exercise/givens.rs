@@ -4,13 +4,16 @@
 
 use crate::figure::describe::body::corners;
 use crate::figure::describe::body_phrases::{
-    AT, FROM_TO, IS, MOVED, MOVING, OF_RADIUS, OF_SIZE, POINT, SEGMENT, TURNED, TURNING,
+    AND, AT, FROM_TO, IS, MOVED, OF_RADIUS, OF_SIZE, POINT, SEGMENT,
 };
 use crate::geometry::shape::KINDS;
 use crate::geometry::{Angle, Body, DVec2, Names, Side};
 use crate::scene::{Scene, Spanned};
 
-use super::phrases::{HULL_OF, MOMENT, MOTION, OF_VERTICES, REGULAR, TURNED_BY_SINE, WITH_VERTICES, Words};
+use super::phrases::{
+    DOES, HULL_OF, MOMENT, MOTION, MOVES, OF_VERTICES, REGULAR, TURNED_BY_SINE, TURNED_LEFT, TURNED_RIGHT,
+    TURNS_LEFT, TURNS_RIGHT, WITH_VERTICES, Words,
+};
 
 /// Vertices that are listed; more are on the picture only.
 const MOST_VERTICES: usize = 12;
@@ -55,14 +58,25 @@ fn body_in_words(name: &str, body: &Body, words: Words) -> String {
         (false, place) => text.push_str(&words.say(&AT, &[&words.point(place)])),
     }
     text.push_str(&turned(body, words));
-    if body.velocity != DVec2::ZERO {
-        text.push_str(&words.say(&MOVING, &[&words.point(body.velocity)]));
-    }
-    if !body.spin.is_zero() {
-        text.push_str(&words.say(&TURNING, &[&angle(body.spin, words)]));
-    }
     text.push('.');
+    if let Some(does) = motion(body, words) {
+        text.push(' ');
+        text.push_str(&words.say(&DOES, &[name, &does]));
+    }
     text
+}
+
+/// What a body does that moves; `None` where it rests.
+fn motion(body: &Body, words: Words) -> Option<String> {
+    let moves = (body.velocity != DVec2::ZERO).then(|| words.say(&MOVES, &[&words.point(body.velocity)]));
+    let turns = (!body.spin.is_zero()).then(|| {
+        let phrase = if body.spin.degrees() < 0.0 { &TURNS_RIGHT } else { &TURNS_LEFT };
+        words.say(phrase, &[&size(body.spin, words)])
+    });
+    match (moves, turns) {
+        (Some(moves), Some(turns)) => Some(words.say(&AND, &[&moves, &turns])),
+        (moves, turns) => moves.or(turns),
+    }
 }
 
 /// How large a body is without its radius: half-extents, circumradius or vertices.
@@ -99,7 +113,8 @@ fn middle(body: &Body) -> DVec2 {
 fn turned(body: &Body, words: Words) -> String {
     let mut text = String::new();
     if !body.angle.is_zero() {
-        text.push_str(&words.say(&TURNED, &[&angle(body.angle, words)]));
+        let phrase = if body.angle.degrees() < 0.0 { &TURNED_RIGHT } else { &TURNED_LEFT };
+        text.push_str(&words.say(phrase, &[&size(body.angle, words)]));
     }
     let [cos, sin] = [body.shape.matrix.cos, body.shape.matrix.sin].map(|x| words.number(x));
     if !body.shape.is_as_written() {
@@ -108,11 +123,11 @@ fn turned(body: &Body, words: Words) -> String {
     text
 }
 
-/// An angle as the scene has it.
-fn angle(angle: Angle, words: Words) -> String {
+/// An angle as the scene has it, without its sign.
+fn size(angle: Angle, words: Words) -> String {
     match angle {
-        Angle::Degrees(degrees) => format!("{}°", words.number(degrees)),
-        Angle::Radians(radians) => format!("{} rad", words.number(radians)),
+        Angle::Degrees(degrees) => format!("{}°", words.number(degrees.abs())),
+        Angle::Radians(radians) => format!("{} rad", words.number(radians.abs())),
     }
 }
 
@@ -135,7 +150,7 @@ mod tests {
         );
         assert_eq!(
             given("shapes.A = { kind = 'circle', radius = 1.0625, velocity = [2, 0] }"),
-            "A is a circle of radius 1.0625 at (0, 0), moving by (2, 0). The motion runs from t = 0 to t = 1."
+            "A is a circle of radius 1.0625 at (0, 0). A moves by (2, 0). The motion runs from t = 0 to t = 1."
         );
         let polygon = given(
             "shapes.A = { kind = 'polygon', vertices = [[0, 0], [3, 0], [0, 4]], rotation = [0.6, 0.8] }",
@@ -158,29 +173,31 @@ mod tests {
         let told = given(&format!("shapes.A = {{ {capsule}, radius = 0 }}"));
         assert!(
             told.starts_with(
-                "A is a segment from (0, 0) to (2, 0), as seen from its origin at (1, 3), moving by (6, −1)."
+                "A is a segment from (0, 0) to (2, 0), as seen from its origin at (1, 3). A moves by (6, −1)."
             ),
             "{told}"
         );
         for (lang, said) in [
             (
                 "de",
-                "A ist ein Rechteck von 2 mal 0,5 bei (0; 0), um 30° gedreht, bewegt sich um (2,5; 0). \
+                "A ist ein Rechteck von 2 mal 0,5 bei (0; 0), um 30° gegen den Uhrzeigersinn gedreht. \
+                    A bewegt sich um (2,5; 0). \
                     Die Bewegung geht von t = 0 bis t = 1.",
             ),
             (
                 "de-CH",
-                "A ist ein Rechteck von 2 mal 0.5 bei (0, 0), um 30° gedreht, bewegt sich um (2.5, 0). \
+                "A ist ein Rechteck von 2 mal 0.5 bei (0, 0), um 30° gegen den Uhrzeigersinn gedreht. \
+                       A bewegt sich um (2.5, 0). \
                        Die Bewegung geht von t = 0 bis t = 1.",
             ),
             (
                 "fr",
-                "A est un rectangle de 2 sur 0,5 en (0; 0), avec une rotation de 30°, se déplaçant de \
-                    (2,5; 0). Le mouvement va de t = 0 à t = 1.",
+                "A est un rectangle de 2 sur 0,5 en (0; 0), avec une rotation de 30° dans le sens \
+                    antihoraire. A se déplace de (2,5; 0). Le mouvement va de t = 0 à t = 1.",
             ),
             (
                 "ja",
-                "A is a box of 2 by 0.5 at (0, 0), turned by 30°, moving by (2.5, 0). The motion runs from \
+                "A is a box of 2 by 0.5 at (0, 0), turned by 30° counter-clockwise. A moves by (2.5, 0). The motion runs from \
                     t = 0 to t = 1.",
             ),
         ] {
@@ -192,8 +209,12 @@ mod tests {
     fn what_is_said_of_a_turned_body_holds_for_every_kind_of_it() {
         let capsule = "kind = 'capsule', points = [[0, 0], [2, 0]], radius = 1, angle_deg = 30";
         let said = |lang: &str| given(&format!("lang = '{lang}'\nshapes.A = {{ {capsule} }}"));
-        assert!(said("fr").ends_with(", avec une rotation de 30°."), "{}", said("fr"));
-        assert!(said("es").ends_with(", con un giro de 30°."), "{}", said("es"));
+        assert!(
+            said("fr").ends_with(", avec une rotation de 30° dans le sens antihoraire."),
+            "{}",
+            said("fr")
+        );
+        assert!(said("es").ends_with(", con un giro antihorario de 30°."), "{}", said("es"));
     }
 
     #[test]

@@ -29,6 +29,35 @@ phrases! {
         ", um den Winkel mit Kosinus * und Sinus * gedreht",
         ", avec une rotation de l’angle de cosinus * et de sinus *",
         ", con un giro del ángulo de coseno * y seno *";
+    /// The gap of two AABBs along an axis: both, the axis.
+    GAP_ALONG: "the gap D between * along *, negative where they overlap there",
+        "die Lücke D zwischen * entlang *, negativ, wo sie sich dort überlappen",
+        "l’écart D entre * selon *, négatif s’ils s’y recouvrent",
+        "el hueco D entre * a lo largo de *, negativo si ahí se solapan";
+    /// How a body moves: its name, what it does.
+    DOES: "* *.", "* *.", "* *.", "* *.";
+    /// What a body does that is carried along.
+    MOVES: "moves by *", "bewegt sich um *", "se déplace de *", "se desplaza *";
+    /// What a body does that turns to the left.
+    TURNS_LEFT: "turns by * counter-clockwise about its origin",
+        "dreht sich um * gegen den Uhrzeigersinn um den eigenen Ursprung",
+        "tourne de * dans le sens antihoraire autour de son origine",
+        "gira * en sentido antihorario alrededor de su origen";
+    /// What a body does that turns to the right.
+    TURNS_RIGHT: "turns by * clockwise about its origin",
+        "dreht sich um * im Uhrzeigersinn um den eigenen Ursprung",
+        "tourne de * dans le sens horaire autour de son origine",
+        "gira * en sentido horario alrededor de su origen";
+    /// How a body is turned to the left at the start.
+    TURNED_LEFT: ", turned by * counter-clockwise",
+        ", um * gegen den Uhrzeigersinn gedreht",
+        ", avec une rotation de * dans le sens antihoraire",
+        ", con un giro antihorario de *";
+    /// How a body is turned to the right at the start.
+    TURNED_RIGHT: ", turned by * clockwise",
+        ", um * im Uhrzeigersinn gedreht",
+        ", avec une rotation de * dans le sens horaire",
+        ", con un giro horario de *";
     /// When the motion begins and ends.
     MOTION: "The motion runs from t = 0 to t = 1.",
         "Die Bewegung geht von t = 0 bis t = 1.",

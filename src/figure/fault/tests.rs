@@ -68,12 +68,32 @@ fn without_room() -> Vec<(Fault, &'static str, &'static str)> {
             "give the panel a wider `view`, or none, or leave out the layer that draws it",
         ),
         (
-            Fault::LabelClash { fault: LabelFault::Dropped { key: "d", span: 0..1 }, has_view: true },
+            Fault::LabelClash {
+                fault: LabelFault::Dropped { key: "d", span: 0..1 },
+                panel: None,
+                has_view: true,
+                is_pinned: false,
+            },
             "the label `d` found no place and is left out",
             "pin it: `d = { at = \"NE\" }` in `[labels]`, or give the panel a wider `view`",
         ),
         (
-            Fault::LabelClash { fault: LabelFault::Dropped { key: "d", span: 0..1 }, has_view: false },
+            Fault::LabelClash {
+                fault: LabelFault::Dropped { key: "d", span: 0..1 },
+                panel: Some(2),
+                has_view: true,
+                is_pinned: true,
+            },
+            "the label `d` found no place and is left out (panel 2)",
+            "pin it elsewhere or let it find a place, shorten its text, or give the panel a wider `view`",
+        ),
+        (
+            Fault::LabelClash {
+                fault: LabelFault::Dropped { key: "d", span: 0..1 },
+                panel: None,
+                has_view: false,
+                is_pinned: false,
+            },
             "the label `d` found no place and is left out",
             "pin it: `d = { at = \"NE\" }` in `[labels]`, or give the figure a larger `width` in \
              `[canvas]`",

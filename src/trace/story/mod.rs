@@ -203,12 +203,13 @@ fn in_box(
     body: Side,
     in_frame: [DVec2; 3],
     in_world: [DVec2; 2],
-    (sign, left): (&str, f64),
+    (is_inside, left): (bool, f64),
 ) -> String {
-    let (own, other) = (voice.of(body), voice.of(body.other()));
+    let (own, less) = (voice.of(body), voice.minus());
+    let sign = if is_inside { less } else { "" };
     let [v, clamped, h] = in_frame.map(|p| voice.point(p));
     let [closest, d] = in_world.map(|p| voice.point(p));
-    voice.say(&CLAMPED, &[&own, &v, &clamped, &h, &other, &closest, &d, sign, &voice.number(left)])
+    voice.say(&CLAMPED, &[&own, &v, &clamped, &h, &closest, &d, sign, less, &voice.number(left)])
 }
 
 fn support(voice: Voice, body: Side, direction: DVec2, vertices: &[SupportVertex]) -> String {
@@ -263,7 +264,8 @@ fn candidate(
         Goal::LeastPenetrating => &LEAST_PENETRATING,
         Goal::LeastPositive => &LEAST_POSITIVE,
     };
-    let (distance, foot) = (voice.length(distance), voice.point(foot));
+    // How deep the origin is, or how far away: the phrase says which.
+    let (distance, foot) = (voice.length(distance.abs()), voice.point(foot));
     voice.say(best, &[&distance, &foot, &voice.part((side, feature)), &voice.of(side)])
 }
 
@@ -332,8 +334,8 @@ fn bounds(
     text
 }
 
-/// The sign of ‖D‖ and the distance of circle and box: ‖D‖ − r, or where the centre is inside −‖D‖ − r.
-fn clamped_distance(d: DVec2, radius: f64, is_inside: bool) -> (&'static str, f64) {
+/// Whether the centre is inside, and the distance of circle and box: ‖D‖ − r, or −‖D‖ − r inside.
+fn clamped_distance(d: DVec2, radius: f64, is_inside: bool) -> (bool, f64) {
     let length = libm::hypot(d.x, d.y);
-    if is_inside { ("-", -length - radius) } else { ("", length - radius) }
+    (is_inside, if is_inside { -length - radius } else { length - radius })
 }

@@ -10,7 +10,7 @@ use super::phrases::steps as words;
 use super::{Voice, sentence_in};
 use crate::geometry::DVec2;
 use crate::trace::tongue::Phrase;
-use crate::trace::{Event, SupportVertex};
+use crate::trace::{Event, Goal, SupportVertex};
 
 /// The part of the last [`Event::DifferenceEdgeFound`] with which the whole of B ⊖ A is known.
 pub(crate) const WHOLE: usize = 1;
@@ -116,6 +116,7 @@ pub(crate) fn title(event: &Event, of: usize, voice: Voice) -> String {
         }
         Event::EdgesMerged { taken, .. } => return voice.say(&words::AN_EDGE_OF, &[&voice.of(*taken)]),
         Event::OriginProjected { .. } => &words::NEAREST_POINT,
+        Event::CandidateImproved { goal: Goal::LeastPenetrating, .. } => &words::LEAST_DEPTH,
         Event::CandidateImproved { .. } => &words::LEAST,
         Event::AxisTested { source: (side, feature), .. } => {
             return voice.say(&words::NORMAL_OF, &[&voice.part((*side, *feature)), &voice.of(*side)]);

@@ -5,9 +5,10 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use crate::drawing::Item;
+use crate::figure::layer::{Takes, find};
 use crate::figure::name::Name;
 use crate::figure::{Figure, draw, plan, random_scenes};
-use crate::scene::{Scene, Spanned, open, open_text};
+use crate::scene::{Scene, Spanned, Value, open, open_text};
 use crate::typeset::{Piece, pieces};
 
 /// The words of a markup outside of its formulas that may be English and are not in the names of bodies.
@@ -22,7 +23,8 @@ fn words(markup: &str, names: &[String]) -> Vec<String> {
     }
     let outside = names.iter().fold(outside, |text, name| text.replace(name.as_str(), " "));
     let words = outside.split(|c: char| !c.is_alphabetic()).filter(|word| word.len() > 1 && word.is_ascii());
-    words.map(str::to_owned).collect()
+    // The sign of a unit is the same in all languages.
+    words.filter(|&word| word != "rad").map(str::to_owned).collect()
 }
 
 /// The words of ours on a figure whose language has none, each with the key of its label.
@@ -57,6 +59,39 @@ fn references(lang: &str) -> Vec<Scene> {
         scene
     };
     paths.iter().map(|path| scene(path)).collect()
+}
+
+/// A scene with each switch of each of its layers on, one at a time.
+fn switched(scene: &Scene) -> impl Iterator<Item = Scene> {
+    let layers = scene.panels.iter().enumerate().flat_map(|(i, panel)| {
+        let layers = panel.layers.iter().flatten().enumerate();
+        layers.map(move |(k, layer)| (i, k, layer.name.value.clone()))
+    });
+    let switches = layers.flat_map(|(i, k, name)| {
+        let options = find(&name).map_or(&[][..], |layer| layer.options);
+        let flags = options.iter().filter(|option| matches!(option.takes, Takes::Flag));
+        flags.map(move |option| (i, k, option.name)).collect::<Vec<_>>()
+    });
+    switches.collect::<Vec<_>>().into_iter().map(|(i, k, name)| {
+        let spanned = |name: &str| Spanned { value: name.to_owned(), span: 0..0 };
+        let mut scene = scene.clone();
+        let options = &mut scene.panels[i].layers.as_mut().unwrap()[k].options;
+        options.retain(|(key, _)| key.value != name);
+        options.push((spanned(name), Spanned { value: Value::Bool(true), span: 0..0 }));
+        scene
+    })
+}
+
+#[test]
+fn in_a_language_without_words_of_ours_no_label_has_any_whatever_is_switched_on() {
+    let (mut found, mut drawn) = (BTreeSet::new(), 0);
+    for scene in references("ja").iter().flat_map(switched) {
+        let Ok(plan) = plan(&scene) else { continue };
+        drawn += 1;
+        found.extend(words_of_ours(&scene, &draw(&plan, plan.theme, "words")));
+    }
+    assert!(drawn > 100, "{drawn}");
+    assert_eq!(found, BTreeSet::new());
 }
 
 #[test]

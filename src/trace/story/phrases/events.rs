@@ -42,11 +42,14 @@ phrases! {
     TOP: "top", "oben", "en haut", "arriba";
     /// A circle's centre in the frame of a box: whose, V, what it is clamped to, by what, the closest point,
     /// D, the sign of its length, and the distance.
-    CLAMPED: "In *'s frame V = *, clamped to * by the half-extents *; *_c = *, D = *, *|D| - r = *.",
-        "Im System von * ist V = *, auf * begrenzt durch die halben Ausdehnungen *; *_c = *; D = *; \
-         *|D| - r = *.",
-        "Dans le repère de * : V = *, borné à * par les demi-étendues * ; *_c = * ; D = * ; *|D| - r = *.",
-        "En el sistema de *: V = *, limitado a * por las semiextensiones *; *_c = *; D = *; *|D| - r = *.";
+    CLAMPED: "In *'s frame V = *, clamped to * by the half-extents *. In the world the closest point is *, \
+         with D = * from there, and *|D| * r = *.",
+        "Im System von * ist V = *, auf * begrenzt durch die halben Ausdehnungen *. In der Welt ist der nächste \
+         Punkt *, mit D = * von dort, und *|D| * r = *.",
+        "Dans le repère de * : V = *, borné à * par les demi-étendues *. Dans le monde, le point le plus proche \
+         est *, avec D = * de là, et *|D| * r = *.",
+        "En el sistema de *: V = *, limitado a * por las semiextensiones *. En el mundo el punto más cercano \
+         es *, con D = * desde ahí, y *|D| * r = *.";
     /// The farthest vertices of a body: direction, body, vertices, a tie.
     SUPPORT: "Farthest along * on *: **.",
         "Am weitesten entlang * auf *: **.",
@@ -92,10 +95,10 @@ phrases! {
         "L’origine s’y projette en *, *.",
         "El origen se proyecta allí en *, *.";
     /// The best edge so far of those that the origin is inside of: distance, place, edge, body.
-    LEAST_PENETRATING: "Least penetrating so far: * at *, by * of *.",
-        "Bisher am wenigsten eingedrungen: * bei *, durch * von *.",
-        "Moindre pénétration jusqu’ici : * en * (* de *).",
-        "Menor penetración hasta ahora: * en * (* de *).";
+    LEAST_PENETRATING: "Least depth so far: * at *, by * of *.",
+        "Bisher kleinste Tiefe: * bei *, durch * von *.",
+        "Moindre profondeur jusqu’ici : * en * (* de *).",
+        "Menor profundidad hasta ahora: * en * (* de *).";
     /// The best one so far of those that it is outside of.
     LEAST_POSITIVE: "Least positive so far: * at *, by * of *.",
         "Bisher der kleinste positive Wert: * bei *, durch * von *.",

@@ -55,6 +55,8 @@ phrases! {
         "El punto más cercano";
     /// The best edge so far.
     LEAST: "The least distance", "Der kleinste Abstand", "La plus petite distance", "La menor distancia";
+    /// The one so far that the origin is least inside of.
+    LEAST_DEPTH: "The least depth", "Die kleinste Tiefe", "La plus petite profondeur", "La menor profundidad";
     /// An axis that is tested: edge, body.
     NORMAL_OF: "The normal of * of *", "Die Normale von * von *", "Normale : * de *", "La normal de * de *";
     /// One that separates.
@@ -127,10 +129,10 @@ phrases! {
         "Les demi-étendues * le bornent à *.",
         "Las semiextensiones * lo limitan a *.";
     /// Where that leads: point, body, the other body, D.
-    LEADS_TO: "That leads to *, the point of * closest to *; from there D = *.",
-        "Das führt zu *, dem Punkt von *, der * am nächsten liegt; von dort ist D = *.",
-        "Cela mène à *, le point de * le plus proche de * ; de là, D = *.",
-        "Eso lleva a *, el punto de * más cercano a *; desde ahí D = *.";
+    LEADS_TO: "In the world that leads to *, the point of * closest to *; from there D = *.",
+        "In der Welt führt das zu *, dem Punkt von *, der * am nächsten liegt; von dort ist D = *.",
+        "Dans le monde, cela mène à *, le point de * le plus proche de * ; de là, D = *.",
+        "En el mundo eso lleva a *, el punto de * más cercano a *; desde ahí D = *.";
     /// The farthest vertex of a body that turns: body, radius, vertex.
     FARTHEST_BY: "Farthest from the origin of *, by r = *: *.",
         "Am weitesten vom Ursprung von *, um r = *: *.",
