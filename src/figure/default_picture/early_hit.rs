@@ -15,6 +15,7 @@ pub(super) const PICTURE: Picture = Picture {
 [[panels]]
 title = "World"
 time = "start"
+inset = "small"
 layers = ["shapes", { layer = "ghosts", at = "hit" }, "sweep", { layer = "velocity", cut = "hit" }, "contact"]
 
 [[panels]]

@@ -10,6 +10,7 @@ pub(super) const PICTURE: Picture = Picture {
 [[panels]]
 title = "World"
 time = "start"
+inset = "small"
 layers = [
   "shapes",
   { layer = "ghosts", at = "hit" },

@@ -9,6 +9,7 @@ pub(super) const PICTURE: Picture = Picture {
     panels: r#"
 [[panels]]
 time = "start"
+inset = "small"
 layers = ["shapes", { layer = "ghosts", at = "hit" }, "tracks", "spin", "contact"]
 "#,
 };

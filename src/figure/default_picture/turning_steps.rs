@@ -11,10 +11,11 @@ pub(super) const PICTURE: Picture = Picture {
 [[panels]]
 title = "World"
 time = "start"
+inset = "small"
 layers = ["shapes", { layer = "ghosts", at = "hit" }, "tracks", "contact"]
 
 [[panels]]
-title = "Configuration space, every step"
+title = "Configuration space, step by step"
 space = "configuration"
 time = "start"
 layers = ["axes", { layer = "difference", at = "steps", numbers = true }, "origin"]

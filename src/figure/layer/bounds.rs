@@ -93,6 +93,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let (role, places) = (options.role(Role::Ink), Places::of(context.scene));
     // Lighter than the body's own outline, round which it is.
     sketch.part("box").area(&rectangle(last), None, Some(Pen::outline(role).width(BOX)));
+    if last.min == last.max {
+        return of_a_point(sketch, (last, places), role, options);
+    }
     if options.flag("touching", true) {
         touching(sketch, last, places, cue);
     }
@@ -105,6 +108,16 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
 fn rectangle(found: &Found) -> Outline {
     let (min, max) = (found.min, found.max);
     Outline::polygon(&[min, DVec2::new(max.x, min.y), max, DVec2::new(min.x, max.y)])
+}
+
+/// Marks the box of a lone point, which has one corner alone.
+fn of_a_point(sketch: &mut Sketch, (found, places): (&Found, Places), role: Role, options: &Options) {
+    sketch.part("min").marker(found.min, Marker::Disc, role, MARKER);
+    if options.flag("corners", true) {
+        let [x, y] = found.min.to_array().map(|value| places.latex(value));
+        let text = format!("min $=$ max $= ({x}, {y})$");
+        sketch.label(Label::new("min", text, Anchor::point(found.min), role));
+    }
 }
 
 /// Marks the vertices that touch each side; the first of each is named.
@@ -154,6 +167,20 @@ mod tests {
     use crate::figure::{draw, plan};
     use crate::geometry::DVec2;
     use crate::scene::open_text;
+
+    #[test]
+    fn a_lone_point_stands_in_the_middle_with_one_label() {
+        let text = "shapes.A = { kind = 'circle', radius = 0, position = [123456, -98765] }
+            query = { kind = 'bounds', of = ['A'] }";
+        let scene = open_text("bounds", text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "bounds");
+        let panel = &figure.panels[0];
+        let off = panel.frame.page(DVec2::new(123456.0, -98765.0)) - panel.frame.panel.center();
+        assert!(off.length() < 1.0, "{off:?}");
+        let keys: Vec<_> = panel.placed.iter().map(|label| label.key).collect();
+        assert_eq!(keys, ["A", "min"]);
+    }
 
     #[test]
     fn a_round_body_is_marked_where_it_touches_the_box() {

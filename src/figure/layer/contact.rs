@@ -34,4 +34,10 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let marker = if open { Marker::HollowDisc } else { Marker::Disc };
     sketch.part("contact").marker(point, marker, role, MARKER);
     sketch.label(Label::new("contact", "", Anchor::point(point), role));
+    // A body that is no larger than the marker is seen in an inset alone.
+    for side in Side::BOTH {
+        if let Some(outline) = context.outline(side, bounds.lo) {
+            sketch.detail(&outline.sampled());
+        }
+    }
 }

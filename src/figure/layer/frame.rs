@@ -72,6 +72,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
 fn angle(sketch: &mut Sketch, center: DVec2, (start, sweep): (f64, f64), length: f64) {
     let level = center + DVec2::X * length;
     sketch.part("level").weight(Weight::Light).line(center, level, Pen::construction());
+    sketch.unnamed(Anchor::middle(center, level));
     if sweep.abs() < SEEN {
         return;
     }

@@ -157,6 +157,9 @@ struct Line {
 
 /// Draws one half-extent.
 fn line(sketch: &mut Sketch, options: &Options, l: &Line) {
+    if l.length == 0.0 {
+        return;
+    }
     let style = options.word("style", "dimension");
     let bar = style == "bar";
     let role = options.role(Role::Ink);

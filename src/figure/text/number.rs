@@ -13,6 +13,9 @@ const ROUNDING: f64 = 1e-14;
 /// more does for three sums of four.
 const MORE: usize = 6;
 
+/// Digits that a picture has of a number that has many.
+const TOLD: usize = 3;
+
 /// Half a unit of the last digit, within which what is left of a sum rounds to what is written.
 const HALF: f64 = 0.5;
 
@@ -96,6 +99,7 @@ pub(crate) fn whole_and_parts(whole: f64, parts: &[f64], rest: f64) -> Vec<Strin
 #[must_use]
 pub(crate) fn bound_and_parts(bound: f64, part: f64, rest: f64) -> Option<[String; 3]> {
     let written = |digits: Digits| [digits.at_least(bound), digits.of(part, part), digits.at_least(rest)];
+    let told = |x: f64| Digits::Significant(TOLD).of(x, x);
     let usual = written(USUAL);
     if usual.iter().any(|text| text.contains('e')) {
         return None;
@@ -104,7 +108,8 @@ pub(crate) fn bound_and_parts(bound: f64, part: f64, rest: f64) -> Option<[Strin
     let more = (fewest..=fewest + MORE).map(|decimals| written(Digits::Decimals(decimals)));
     std::iter::once(usual).chain(more).find(|texts| {
         let [all, p, q] = texts.each_ref().map(|text| read(text).unwrap_or(f64::NAN));
-        (p + q - all).abs() <= ROUNDING * all
+        // Where a picture has the rest rounded, it is the same number to the digits that both have.
+        (p + q - all).abs() <= ROUNDING * all && told(q) == told(rest)
     })
 }
 
