@@ -1,8 +1,10 @@
 //! What an exercise asks, the numbers that answer it, and the way to them.
 
+use crate::collision::Answer;
 use crate::figure::context::Context;
 use crate::figure::runs::Runs;
-use crate::figure::text::{Digits, filled, in_math, rounded, value_of, with_powers};
+use crate::figure::standing::standing;
+use crate::figure::text::{Digits, NO_OTHER, filled, givers, in_math, rounded, value_of, with_powers};
 use crate::figure::tongue::voice;
 use crate::geometry::{Side, read};
 use crate::scene::{Exercise, Scene, Space, Spanned};
@@ -222,6 +224,20 @@ pub(super) fn there(scene: &Scene, runs: &Runs) -> String {
     let context = of_the_query(scene, runs);
     let has = |row: &&Askable| (row.of)(scene.query.kind) && value_of(row.name, &context).is_some();
     all().filter(has).map(|row| format!("`{}`", row.name)).collect::<Vec<_>>().join(", ")
+}
+
+/// Why this answer lacks a value that may be asked for: another algorithm or question has it, or the bodies
+/// stand otherwise.
+pub(super) fn lacking(scene: &Scene, runs: &Runs, name: &str) -> String {
+    let others = givers(name, &of_the_query(scene, runs)).filter(|others| others != NO_OTHER);
+    let answer = &runs.own(scene, scene.query.time).answer;
+    let points = if let Answer::Contact(contact) = answer { Some(contact.found().count()) } else { None };
+    let own = match points {
+        Some(0) => "there is no point of contact",
+        Some(1) => "there is one point of contact",
+        _ => standing(answer),
+    };
+    others.unwrap_or_else(|| own.to_owned())
 }
 
 /// What is to be done, as markup: the exercise's own words, or ours.

@@ -4,11 +4,10 @@ use crate::figure::fault::{Fault, Problem};
 use crate::figure::layer::{LAYERS, find, is_key};
 use crate::figure::page::Measures;
 use crate::figure::runs::Runs;
-use crate::figure::standing::standing;
-use crate::figure::text::{Across, paragraphs, plain};
+use crate::figure::text::{Across, paragraphs, plain, values};
 use crate::scene::{self, Exercise, Scene, Variant};
 
-use super::answers::{answers, question, solved, steps, task, there};
+use super::answers::{answers, lacking, question, solved, steps, task, there};
 use super::askable::{all, askable};
 use super::phrases::{MORE, Words};
 
@@ -58,6 +57,12 @@ fn check(scene: &Scene, runs: &Runs, exercise: &Exercise, problems: &mut Vec<Pro
     let kind = scene.query.kind;
     for name in exercise.ask.iter().filter(|name| askable(&name.value, kind).is_none()) {
         let known = all().filter(|row| (row.of)(kind)).map(|row| row.name.to_owned()).collect();
+        if values().any(|(value, _)| value == name.value) {
+            let message = format!("`{}` is a value of texts, and none that an exercise asks for", name.value);
+            let help = format!("ask for what is to be found: {}", there(scene, runs));
+            problems.push(Problem::new(scene::Fault::Conflict { message, help }.into(), name.span.clone()));
+            continue;
+        }
         let fault = scene::Fault::UnknownWord { what: "value to ask for", got: name.value.clone(), known };
         problems.push(Problem::new(fault.into(), name.span.clone()));
     }
@@ -75,7 +80,7 @@ fn check(scene: &Scene, runs: &Runs, exercise: &Exercise, problems: &mut Vec<Pro
         askable(&name.value, kind).is_some() && found.iter().all(|asked| asked.name != name.value)
     };
     for name in exercise.ask.iter().filter(is_lacking) {
-        let why = standing(&runs.own(scene, scene.query.time).answer);
+        let why = lacking(scene, runs, &name.value);
         let message = format!(
             "the exercise asks for `{}`, which this scene does not have: {why}; it has {}",
             name.value,

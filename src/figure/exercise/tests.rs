@@ -128,3 +128,27 @@ fn the_bounds_of_two_bodies_are_those_of_both() {
     assert_eq!(answers, [-1.0, 11.0, 6.0, 6.0, 2.5]);
     assert_eq!(plan.headline.words.as_deref(), Some("From −1 to 11"));
 }
+
+#[test]
+fn what_cannot_be_asked_is_refused_with_the_reason() {
+    let refused = |ask: &str, query: &str, b: &str| {
+        let text = format!(
+            "exercise.ask = '{ask}'
+            shapes.A = {{ kind = 'aabb', half_extents = [3, 1] }}
+            shapes.B = {{ {b} }}
+            query = {{ of = ['A', 'B'], {query} }}"
+        );
+        let scene = open_text("s.toml", &text).unwrap().scene;
+        let key = variant(&scene, Variant::Key).unwrap();
+        let problems = plan(&key).map(|_| ()).unwrap_err();
+        problems[0].fault.to_string()
+    };
+    let corner = "kind = 'box', half_extents = [1.5, 0.8], position = [0.3, 1.6], angle_deg = 9";
+    let told = refused("shallow", "kind = 'contact'", corner);
+    assert!(told.contains("which this scene does not have: there is one point of contact; it has"), "{told}");
+    let circle = "kind = 'circle', radius = 1, position = [5, 1]";
+    let told = refused("V.x", "kind = 'separation', algorithm = 'clamp'", circle);
+    assert_eq!(told, "`V.x` is a value of texts, and none that an exercise asks for");
+    let told = refused("time", "kind = 'linear-sweep'", circle);
+    assert!(told.contains("this scene does not have"), "{told}");
+}

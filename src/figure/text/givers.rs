@@ -10,10 +10,10 @@ use super::values::{VALUES, value_of};
 const MOST_STEPS: usize = 8;
 
 /// What is said where no question has a value.
-pub(super) const NO_OTHER: &str = "no other question about these bodies has it";
+pub(crate) const NO_OTHER: &str = "no other question about these bodies has it";
 
 /// What has a value of that name for the bodies of a context, in words; `None` where no answer has it.
-pub(super) fn givers(name: &str, context: &Context) -> Option<String> {
+pub(crate) fn givers(name: &str, context: &Context) -> Option<String> {
     VALUES.iter().find(|value| value.name == name)?;
     let scene = context.scene;
     let own = |question: &&Question| question.kind == scene.query.kind;

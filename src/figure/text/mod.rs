@@ -34,6 +34,7 @@ pub(crate) use caption::{
 pub(crate) use decimal::Decimal;
 pub(crate) use digits::Digits;
 pub(crate) use fill::filled;
+pub(crate) use givers::{NO_OTHER, givers};
 pub(crate) use number::{
     bound_and_parts, in_math, in_words, number, parts, rounded, rounded_down, rounded_up, terms,
     whole_and_parts,

@@ -1,6 +1,6 @@
 const steps=[...document.querySelectorAll("input[name=step]")],bar=document.querySelector("nav"),said=document.querySelector("output");
 const now=()=>steps.findIndex(s=>s.checked);
-const tell=()=>{const i=now();said.textContent=`${i+1} / ${steps.length}: ${steps[i].closest("li").innerText.trim()}`;
+const tell=()=>{const i=now();said.textContent=`${i+1} / ${steps.length}: ${steps[i].closest("li").innerText.trim().replace(/\s*\n\s*/," – ")}`;
 bar.querySelectorAll("button").forEach(b=>b.disabled=Number(b.value)<0?i===0:i===steps.length-1)};
 const go=i=>{steps[Math.max(0,Math.min(steps.length-1,i))].checked=true;tell()};
 const keys={ArrowLeft:-1,PageUp:-1,ArrowRight:1,PageDown:1,Home:-1/0,End:1/0};
