@@ -160,7 +160,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         }
     }
     if cut {
-        sketch.since(known(|event| matches!(event, Event::EdgeCut { .. })));
+        let faced = known(|event| matches!(event, Event::EdgesFaced { .. }));
+        sketch.since(known(|event| matches!(event, Event::EdgeCut { .. })).or(faced));
         for [end, at] in &found.cuts {
             let pen = Pen::highlighted(Role::Muted).width(EDGE);
             sketch.part("cut-off").weight(Weight::Light).line(*at, *end, pen);
@@ -175,7 +176,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
     if depths {
         sketch.since(known(|event| matches!(event, Event::ContactFound { .. })));
-        ends(sketch, &found, options);
+        ends(sketch, context, &found, options);
     }
 }
 
@@ -256,7 +257,13 @@ fn normal(
 }
 
 /// Draws the ends of what is left, each contact with its depth.
-fn ends(sketch: &mut Sketch, found: &Clipping, options: &Options) {
+fn ends(sketch: &mut Sketch, context: &Context, found: &Clipping, options: &Options) {
+    let known = |point: &Point| {
+        context.cue(|event| match event {
+            Event::ContactFound { points, .. } => points.contains(&point.at) && points.contains(&point.over),
+            _ => false,
+        })
+    };
     let other = found.body.other();
     let touching = found.points.iter().filter(|point| point.touches);
     let inward = left_of(found.reference[0], found.reference[1]);
@@ -265,6 +272,7 @@ fn ends(sketch: &mut Sketch, found: &Clipping, options: &Options) {
     let spots: Vec<DVec2> = touching.clone().map(|point| point.at).collect();
     sketch.detail(&spots);
     for (point, key) in touching.zip(["d_1", "d_2"]) {
+        sketch.since(known(point));
         let far = if point.over.distance_squared(from) > point.over.distance_squared(to) { from } else { to };
         sketch.part("right-angle").right_angle(point.over, far - point.over, point.at - point.over);
         depth(sketch, point, key, (other, inward), options);
@@ -273,6 +281,7 @@ fn ends(sketch: &mut Sketch, found: &Clipping, options: &Options) {
         sketch.label(label.rank(Rank::Word).size(Size::Note));
     }
     for point in found.points.iter().filter(|point| !point.touches) {
+        sketch.since(known(point));
         let hollow = if other == Side::A { Marker::HollowDisc } else { Marker::HollowSquare };
         sketch.part("above").marker(point.at, hollow, other.into(), LARGE_MARKER);
         let label = Label::new("no-contact", "no contact", Anchor::point(point.at), Role::Muted);

@@ -105,7 +105,7 @@ pub(super) const LAYER: Layer = Layer {
             name: "centers",
             takes: Takes::Flag,
             default: "false",
-            about: "at every step, and now, marks the body's origin",
+            about: "marks the body's origin, with \"steps\" at each but the first, and with \"now\"",
         },
         OptionSpec {
             name: "numbered",
