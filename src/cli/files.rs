@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use clap::Args;
 use clap::builder::PossibleValuesParser;
-use tracefig::drift::{Stamp, facts, fingerprint, restamped};
+use tracefig::drift::{Stamp, facts, fingerprint, is_whole, restamped};
 use tracefig::figure::Figure;
 use tracefig::figure::theme;
 use tracefig::output::{Format, INLINE, MOST_BYTES, Options, PngEffort};
@@ -118,7 +118,8 @@ pub(crate) struct Plan {
 /// Whether a file is there and says that this tracefig made it of what has that hash.
 pub(crate) fn says(path: &Path, format: &Format, hash: &str) -> bool {
     let bytes = read_regular(path, MOST_BYTES).ok();
-    bytes.and_then(|bytes| Stamp::read(format, &bytes)).is_some_and(|stamp| stamp.is_of(hash))
+    let stamp = |bytes: Vec<u8>| Stamp::read(format, &bytes).filter(|_| is_whole(format, &bytes));
+    bytes.and_then(stamp).is_some_and(|stamp| stamp.is_of(hash))
 }
 
 impl Files {

@@ -34,7 +34,7 @@ const SMALLEST: f64 = 7.0;
 /// How the figures of several scenes are put onto sheets.
 #[derive(Args, Clone, Debug)]
 pub(crate) struct Sheets {
-    /// Figures on a sheet, where `-o` names one PDF for several scenes; default: 2
+    /// Figures on a sheet, where one PDF holds several scenes; default: 2
     #[arg(long, value_name = "N", value_parser = per_page, conflicts_with = "steps")]
     per_page: Option<usize>,
     /// Paper of these sheets; default: a4

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use tracefig::scene::limits::MAX_FILE_BYTES;
-use tracefig::scene::{Fault, PROJECT_FILE, Problem, Project, Refused, Source, project};
+use tracefig::scene::{Fault, PROJECT_FILE, Problem, Project, Refused, Source, project, visible};
 
 use super::regular::read_regular;
 use super::unplanned::Unplanned;
@@ -28,13 +28,21 @@ impl OpenProject {
         let name = file.display().to_string();
         let refused = |source, problems| Unplanned::Refused(Box::new(Refused { source, problems }));
         let unreadable = |reason: String| {
-            refused(Source::new(&name, ""), vec![Problem::new(Fault::Unreadable { reason }, 0..0)])
+            Unplanned::Unread(format!("can't read the project file `{}`: {reason}", visible(&name)))
         };
         let bytes = read_regular(&file, MAX_FILE_BYTES).map_err(|e| unreadable(e.to_string()))?;
         let text = String::from_utf8(bytes).map_err(|e| unreadable(e.to_string()))?;
         let source = Source::new(&name, text.strip_prefix('\u{feff}').unwrap_or(&text));
         match project(&source) {
             Ok(said) => Ok(Self { file, source, said }),
+            Err(problems) if is_scene(&source) => {
+                let message = format!("`{}` is a scene, and no project file", visible(&name));
+                let help =
+                    "a project file has the tables `[canvas]`, `[render]` and `[[handout]]`".to_owned();
+                let span = problems.first().map_or(0..0, |problem| problem.span.clone());
+                let fault = Fault::Conflict { message, help };
+                Err(refused(source, vec![Problem::new(fault, span)]))
+            }
             Err(problems) => Err(refused(source, problems)),
         }
     }
@@ -54,6 +62,11 @@ impl OpenProject {
         let problems = vec![Problem::new(fault, span.clone())];
         Err(Unplanned::Refused(Box::new(Refused { source: self.source.clone(), problems })))
     }
+}
+
+/// Whether a text is that of a scene.
+fn is_scene(source: &Source) -> bool {
+    tracefig::scene::read(source).is_ok()
 }
 
 /// The project file that is nearest upward from a folder.

@@ -17,6 +17,10 @@ use super::partition::Partition;
 use super::unplanned::tell_unplanned;
 use super::{Runs, Status};
 
+/// What a stream is not asked with. Its options say so too: what requires an option is not asked for where
+/// something conflicts with that.
+const ALONE: [&str; 2] = ["scenes", "json"];
+
 /// Options of `solve`.
 #[derive(Args)]
 pub(crate) struct Solve {
@@ -28,21 +32,21 @@ pub(crate) struct Solve {
     #[arg(long)]
     json: bool,
     /// Read a scene (as JSON) a line from standard input, write a line of JSON for each
-    #[arg(long, conflicts_with_all = ["scenes", "json"])]
+    #[arg(long, conflicts_with_all = ALONE)]
     jsonl: bool,
     /// What a refused line of --jsonl does to the exit status; its error line is written in any case
-    #[arg(long, value_name = "WHAT", value_enum, default_value = "status", requires = "jsonl")]
+    #[arg(long, value_name = "WHAT", value_enum, default_value = "status", requires = "jsonl", conflicts_with_all = ALONE)]
     errors: Errors,
     /// Answer only the Kth of N equal shares of the lines of --jsonl: every Nth, from the Kth on
-    #[arg(long, value_name = "K/N", requires = "jsonl")]
+    #[arg(long, value_name = "K/N", requires = "jsonl", conflicts_with_all = ALONE)]
     partition: Option<Partition>,
     /// Write what became of the lines of --jsonl as JSON: counts and a checksum, to which those of shards add
     /// up
-    #[arg(long, value_name = "FILE", requires = "jsonl")]
+    #[arg(long, value_name = "FILE", requires = "jsonl", conflicts_with_all = ALONE)]
     summary: Option<PathBuf>,
     /// Lines of --jsonl answered at once, at most; the output is the same for any number; default: as many as
     /// there are processors
-    #[arg(long, value_name = "N", requires = "jsonl")]
+    #[arg(long, value_name = "N", requires = "jsonl", conflicts_with_all = ALONE)]
     threads: Option<NonZeroUsize>,
 }
 

@@ -12,6 +12,8 @@ pub(crate) enum Unplanned {
     Usage(String),
     /// The inputs are wrong: no scene, or two that would become one file.
     Wrong(String),
+    /// A file can't be read.
+    Unread(String),
     /// A project file is wrong.
     Refused(Box<Refused>),
 }
@@ -26,6 +28,10 @@ pub(crate) fn tell_unplanned(why: &Unplanned, console: &Console) -> Status {
         Unplanned::Wrong(message) => {
             console.error(message);
             Status::Wrong
+        }
+        Unplanned::Unread(message) => {
+            console.error(message);
+            Status::Io
         }
         Unplanned::Refused(refused) => {
             Console::message(&refused.render(console.ink()));

@@ -14,6 +14,11 @@ pub enum Damage {
         /// Bytes that are left.
         after: usize,
     },
+    /// The file goes on after its end.
+    Appended {
+        /// Offset of the first byte after it.
+        from: usize,
+    },
     /// The file only says where Git LFS keeps the one that should be here.
     Pointer,
     /// The file does not begin as one of its format does.
@@ -33,6 +38,21 @@ pub enum Damage {
 /// What a pointer of Git LFS begins with (*Git LFS Specification*, "The Pointer").
 const POINTER: &[u8] = b"version https://git-lfs.github.com/spec/";
 
+/// Whether a file begins and ends as one of its format does: one that is cut short does not.
+///
+/// ```
+/// use tracefig::{drift::is_whole, output::format};
+/// let svg = format("svg").unwrap();
+/// assert!(is_whole(svg, b"<svg></svg>\n") && !is_whole(svg, b"<svg></sv"));
+/// ```
+#[must_use]
+pub fn is_whole(format: &Format, bytes: &[u8]) -> bool {
+    let text = std::str::from_utf8(bytes).map(str::trim_ascii);
+    let ended = text.map_or(bytes, str::as_bytes);
+    format.bracket.begins.iter().any(|begin| ended.starts_with(begin))
+        && format.bracket.ends.iter().any(|end| ended.ends_with(end))
+}
+
 /// What is wrong with a file of a format, which could not be read; `new` is what it should be. `None` where
 /// it may be one of its format after all.
 pub(super) fn damage(format: &'static Format, old: &[u8], new: &[u8]) -> Option<Damage> {
@@ -42,6 +62,8 @@ pub(super) fn damage(format: &'static Format, old: &[u8], new: &[u8]) -> Option<
         Some(Damage::Empty)
     } else if old.len() < new.len() && new.starts_with(old) {
         Some(Damage::CutShort { after: old.len() })
+    } else if old.len() > new.len() && old.starts_with(new) {
+        Some(Damage::Appended { from: new.len() })
     } else if old.starts_with(POINTER) {
         Some(Damage::Pointer)
     } else if !format.bracket.begins.iter().any(|begin| ended.starts_with(begin)) {
@@ -61,6 +83,9 @@ impl fmt::Display for Damage {
         match self {
             Self::Empty => f.write_str("the file is empty"),
             Self::CutShort { after } => write!(f, "the file is cut short after {} bytes", grouped(*after)),
+            Self::Appended { from } => {
+                write!(f, "the file goes on after its end, from byte {} on", grouped(*from))
+            }
             Self::Pointer => f.write_str(
                 "a Git LFS pointer and not the picture: `git lfs pull` fetches it, in a checkout of CI \
                  `lfs: true`",

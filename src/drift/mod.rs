@@ -18,7 +18,7 @@ mod stamp;
 mod text;
 mod visible;
 
-pub use damage::Damage;
+pub use damage::{Damage, is_whole};
 pub use elements::{Element, elements_in};
 pub use measured::Measured;
 pub use pixels::{PictureDrift, PixelDrift, TOLERANCES, TRIPTYCH_FORMAT, is_triptych, triptych};

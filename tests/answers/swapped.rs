@@ -290,6 +290,53 @@ fn bodies_as_deep_in_each_other_as_their_radii_do_not_touch() {
     }
 }
 
+/// What is asked of two bodies of the smallest sizes that doubles have.
+fn told_of_tiny(a: &str, b: &str, kind: &str) -> Json {
+    answer(&format!(
+        r#"{{"shapes": {{"A": {{{a}}}, "B": {{{b}}}}}, "query": {{"kind": "{kind}", "of": ["A", "B"]}}}}"#
+    ))
+}
+
+#[test]
+fn a_motion_of_bodies_too_small_for_where_they_are_is_no_miss() {
+    let disc = |x: &str| format!(r#""kind": "circle", "radius": 1e-300, "position": [{x}, 0]"#);
+    let segment = |to: &str, x: &str, y: &str| {
+        format!(r#""kind": "capsule", "points": [[0, 0], [{to}, 0]], "radius": 0, "position": [{x}, {y}]"#)
+    };
+    for (x, to, y) in [
+        ("1e22", "5e-324", "0"),
+        ("1e22", "1.25e-301", "2.5e-301"),
+        ("1e10", "3.3333333333333334e-301", "3.3333333333333334e-301"),
+        ("1e299", "3e-301", "3e-301"),
+    ] {
+        for kind in ["linear-sweep", "time-of-impact"] {
+            let found = told_of_tiny(&disc(x), &segment(to, x, y), kind);
+            let outcome = found.text_at("outcome").unwrap();
+            assert!(["overlapping", "unresolved"].contains(&outcome), "{kind}, {x}, {to}: {found}");
+        }
+    }
+}
+
+#[test]
+fn bounds_below_all_normal_doubles_enclose_what_they_are_of() {
+    // By exact fractions 3.9e-325 apart, of which the doubles about are 0 and 5e-324; 5.62e-324 apart.
+    let square = r#""kind": "polygon", "vertices": [[-1e-308, -1e-308], [1e-308, -1e-308], [1e-308, 1e-308], [-1e-308, 1e-308]],
+        "rotation": [0.9974784255027771, 0.07097040116786957]"#;
+    let capsule = r#""kind": "capsule", "points": [[-3.403954207897185e-309, 4.952357113361357e-309],
+        [-4.77706968784332e-309, 1.94325923919678e-309]], "radius": 2.304072231054306e-309,
+        "rotation": [0.2545774281024933, 0.9670524001121521], "position": [-8.64463819115325e-309, -4.240066869066287e-309]"#;
+    let boxed = r#""kind": "box", "half_extents": [6.445869207382201e-308, 2.935420870780945e-308], "radius": 2.5135496258735653e-308,
+        "rotation": [0.6409518718719482, 0.7675811052322388]"#;
+    let other = r#""kind": "box", "half_extents": [4.598816037178039e-308, 9.321172237396239e-308],
+        "rotation": [0.6368221044540405, -0.7710107564926147], "position": [-1.1578728943134599e-307, 4.3586924599348092e-308]"#;
+    for (a, b, [least, most]) in [(square, capsule, [0.0, 5e-324]), (boxed, other, [5e-324, 1e-323])] {
+        let found = told_of_tiny(a, b, "separation");
+        let bounds = found.get("separation_bounds").unwrap().list();
+        let [lo, hi] = [0, 1].map(|k| bounds[k].number().unwrap());
+        assert!(lo <= least && most <= hi && hi < 1e-322, "{found}");
+    }
+}
+
 #[test]
 fn bodies_too_small_for_their_distance_are_as_far_as_they_are_both_ways_round() {
     // Beside 1e218 the products of the box's edges are below all doubles.

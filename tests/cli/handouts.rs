@@ -198,6 +198,9 @@ fn a_project_that_is_named_is_that_of_all_scenes_and_lines() {
     assert_eq!(scenes.code, Some(0), "{}", scenes.err);
     assert!(here.join("img/a.light.steps.svg").exists() && here.join("all.pdf").exists());
     let missing = stream(&["--project", "none.toml"]);
-    assert_eq!((missing.code, missing.out.as_str()), (Some(1), ""), "{}", missing.err);
-    assert!(missing.err.contains("none.toml"), "{}", missing.err);
+    assert_eq!((missing.code, missing.out.as_str()), (Some(74), ""), "{}", missing.err);
+    assert!(missing.err.contains("can't read the project file `none.toml`"), "{}", missing.err);
+    let scene = stream(&["--project", "../a.toml"]);
+    assert_eq!((scene.code, scene.out.as_str()), (Some(1), ""), "{}", scene.err);
+    assert!(scene.err.contains("`../a.toml` is a scene, and no project file"), "{}", scene.err);
 }

@@ -12,6 +12,9 @@ const OF_LARGEST: f64 = 1e-2;
 /// The part of the smallest body: a place that is off by a 20th of it is still seen to be its own.
 const OF_SMALLEST: f64 = 1e-1;
 
+/// The part of a unit of the last digit below which a coordinate is rounding, and 0.
+const NOTHING: f64 = 1e-9;
+
 /// How finely the places of a scene are written.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Places {
@@ -36,6 +39,8 @@ impl Places {
 
     /// A coordinate, with a hyphen for a minus.
     pub(crate) fn written(self, x: f64) -> String {
+        // Far below the last digit is what rounding left of a 0.
+        let x = if self.unit.is_finite() && x.abs() < NOTHING * self.unit { 0.0 } else { x };
         place(x, rounded(x, x), self.unit)
     }
 
@@ -79,6 +84,16 @@ mod tests {
         let point = |name| format!("shapes.{name} = {{ kind = 'circle', radius = 0 }}");
         assert_eq!(unit(&format!("{}\n{crate_}", point("A"))), 0.01);
         assert_eq!(unit(&format!("{}\n{}", point("A"), point("B"))), f64::INFINITY);
+    }
+
+    #[test]
+    fn what_rounding_left_of_a_coordinate_is_0() {
+        let disc = |name| format!("shapes.{name} = {{ kind = 'circle', radius = 1 }}");
+        let text =
+            format!("{}\n{}\nquery = {{ kind = 'separation', of = ['A', 'B'] }}", disc("A"), disc("B"));
+        let places = Places::of(&open_text("s", &text).unwrap().scene);
+        assert_eq!([-4.33e-15, 4.33e-5].map(|x| places.written(x)), ["0", "0.0000433"]);
+        assert_eq!(Places::ANY.written(-4.33e-15), "-4.33e-15");
     }
 
     #[test]

@@ -168,7 +168,7 @@ pub static SHAPE_ERRORS: &[(&str, &str)] = &[
     ("missing-field", "a field that this kind of shape needs is not there"),
     ("wrong-type", "a field holds another type of value"),
     ("not-finite", "a number is infinite or not a number"),
-    ("too-large", "a number is beyond ±1e300, where sums overflow"),
+    ("too-large", "a number of a shape is beyond ±1e300, where sums overflow"),
     ("negative-radius", "a radius is below 0"),
     ("negative-extent", "a half-extent is below 0"),
     ("degenerate", "a box without width or height, or vertices that all lie on one line"),

@@ -70,9 +70,11 @@ impl<'s> Standing<'s> {
         };
         let closing = dot(&n, &self.pair.closing_in_balls()).over(length);
         let Ball { value, radius } = closing;
-        // A power of two, and its quotient is one.
+        // A power of two, and its quotient is one; below all normal doubles it rounds both halves and the
+        // radius.
         let unscale = self.pair.unscale();
-        Ball::within(value.scale_by_power_of_two(unscale), radius * unscale)
+        let rounded = if unscale < 1.0 { f64::from_bits(3) } else { 0.0 };
+        Ball::within(value.scale_by_power_of_two(unscale), radius * unscale + rounded)
     }
 
     /// The gap along this moment's normal at the other end of the motion, or here: a lower bound of the

@@ -62,7 +62,12 @@ pub(crate) fn bounds(pair: &Pair, carrier: &Carrier) -> Option<Enclosure> {
         hi = hi.min(widest);
     }
     let unscale = pair.unscale();
-    Some(Enclosure { lo: lo * unscale, hi: hi * unscale })
+    // A power of two changes no bit but of what is below all normal doubles.
+    let (low, high) = (lo * unscale, hi * unscale);
+    Some(Enclosure {
+        lo: if low / unscale > lo { low.next_down() } else { low },
+        hi: if high / unscale < hi { high.next_up() } else { high },
+    })
 }
 
 /// A pair of which all coordinates are sums of products of doubles, in A's frame.

@@ -321,9 +321,11 @@ fn turns(a: &Body, b: &Body, t: f64) -> (Turn, Turn) {
 }
 
 /// A scale that does not carry positions out of the range of doubles: 1 if this one would.
-fn fitting(a: &Body, b: &Body, scale: f64) -> f64 {
-    let far = |body: &Body| (body.position.abs() + body.velocity.abs()).max_element() * scale;
-    if (far(a) + far(b)).is_finite() { scale } else { 1.0 }
+pub(crate) fn fitting(a: &Body, b: &Body, scale: f64) -> f64 {
+    let far = |body: &Body| body.position.abs().max(body.velocity.abs()).max_element();
+    let (_, exponent) = libm::frexp(far(a).max(far(b)));
+    // Sums of four of them stay below 2¹⁰²³.
+    scale.min(libm::ldexp(1.0, (1020 - exponent).min(1020)))
 }
 
 /// About |`p_B − p_A`| at time t.

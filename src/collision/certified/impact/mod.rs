@@ -95,7 +95,7 @@ impl MovingPair<'_> {
         mut report: impl FnMut(AxisSpan),
     ) -> Impact {
         let [a, b] = self.bodies;
-        if !self.is_linear() && of_one_scale(a, b, true).is_err() {
+        if self.is_lost() || !self.is_linear() && of_one_scale(a, b, true).is_err() {
             let outcome = Outcome::Unresolved { reason: Reason::WithinRounding, free_until: 0.0 };
             return Impact { outcome, tolerance, iterations: 0 };
         }
@@ -244,6 +244,9 @@ impl MovingPair<'_> {
 #[cold]
 pub(crate) fn by_axes(a: &Body, b: &Body) -> Option<Outcome> {
     let pair = MovingPair::new(a, b);
+    if pair.is_lost() {
+        return None;
+    }
     let limits = Limits { tolerance: 0.0, max_queries: UNTURNED_QUERIES };
     match Search::new(&pair, limits, 0, |_| ()).run().0 {
         Ended::Decided(Outcome::Unresolved { .. }) | Ended::Grazing { .. } => None,

@@ -12,6 +12,7 @@
 //! world's origin. Everything is given twice: in doubles with one a priori bound on the error, and in balls.
 
 use crate::collision::certified::distance::balls::rescaled;
+use crate::collision::certified::distance::pair::fitting;
 use crate::collision::certified::rounding::{MOVING_GAP_ERROR, TAME};
 use crate::geometry::number::cos_sin;
 use crate::geometry::{Angle, Ball, Body, DVec2, Dd, Hull, Rotation, Side, Turn, perp};
@@ -87,6 +88,7 @@ impl<'q> MovingPair<'q> {
     #[must_use]
     pub fn new(a: &'q Body, b: &'q Body) -> Self {
         let unit = unit_of(a, b);
+        let unit = if unit > 1.0 { fitting(a, b, unit) } else { unit };
         let exact = |to: DVec2, from: DVec2| {
             [Dd::difference(to.x * unit, from.x * unit), Dd::difference(to.y * unit, from.y * unit)]
         };
@@ -110,6 +112,14 @@ impl<'q> MovingPair<'q> {
             radius,
             rounding: MOVING_GAP_ERROR * sum * (1.0 + MOVING_GAP_ERROR),
         }
+    }
+
+    /// Whether the bodies are so small beside where they are that no scale fits both: products of their sizes
+    /// underflow.
+    pub(crate) fn is_lost(&self) -> bool {
+        let size = self.reach[0].max(self.reach[1]).max(self.radius.hi);
+        let far = [self.apart, self.velocity].into_iter().flatten().map(|x| x.hi.abs()).fold(size, f64::max);
+        far > 0.0 && far < TAME.start
     }
 
     /// The sum of all lengths of the pair, rounded up; scaled. At least its S.
