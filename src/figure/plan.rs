@@ -373,7 +373,7 @@ mod tests {
         assert_eq!(
             codes,
             [
-                ("unknown-word", "'{=tiem}'".to_owned()),
+                ("unknown-word", "{=tiem}".to_owned()),
                 ("bad-markup", r"'$\frac{1}$'".to_owned()),
                 ("bad-markup", "'$x'".to_owned()),
             ]

@@ -7,7 +7,6 @@
 
 use super::live_page;
 use super::svg::{read, searchable};
-use super::xml::escape;
 use super::{
     Bracket, Depends, Format, Options, OutputError, Reader, Stamped, Writer, page, stepper, validity,
 };
@@ -43,7 +42,7 @@ fn write(drawing: &Drawing, _options: &Options) -> Result<Vec<u8>, OutputError> 
     out.push_str("</style>\n</head>\n<body>\n<main>\n<figure>\n");
     out.push_str(&searchable(drawing, None));
     page::open(&mut out, "figcaption", of_desc);
-    escape(&mut out, &drawing.desc);
+    page::push_words(&mut out, &drawing.desc);
     out.push_str("</figcaption>\n</figure>\n</main>\n</body>\n</html>\n");
     Ok(out.into_bytes())
 }

@@ -137,7 +137,7 @@ fn push_figure(out: &mut String, drawing: &Drawing, request: &str) {
     let _ = write!(out, "</figure>\n<details class=\"words\"><summary>{}</summary>", words(drawing)[1]);
     let [_, of_desc] = drawing.languages_of_words();
     page::open(out, "p", of_desc);
-    escape(out, &drawing.desc);
+    page::push_words(out, &drawing.desc);
     out.push_str("</p></details>\n<script type=\"application/json\">");
     // A text of the scene must not end the element that it stands in.
     out.push_str(&request.replace('<', "\\u003c"));

@@ -40,3 +40,44 @@ pub(super) fn open(out: &mut String, name: &str, lang: Option<&str>) {
     }
     out.push('>');
 }
+
+/// Appends words for a reader of a page: escaped, with a power of ten, `10^−13` in plain words, in the raised
+/// figures that every face of a browser has.
+pub(super) fn push_words(out: &mut String, words: &str) {
+    let mut pieces = words.split(POWER);
+    escape(out, pieces.next().unwrap_or_default());
+    for piece in pieces {
+        let end = piece.find(|c| raised(c).is_none()).unwrap_or(piece.len());
+        let (exponent, rest) = piece.split_at(end);
+        // Without a number it is a part of a name.
+        out.push_str(if exponent.is_empty() { POWER } else { "10" });
+        out.extend(exponent.chars().filter_map(raised));
+        escape(out, rest);
+    }
+}
+
+/// How a power of ten begins in plain words.
+const POWER: &str = "10^";
+
+/// A digit or a minus as an exponent.
+fn raised(c: char) -> Option<char> {
+    let digits = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    match c {
+        '−' => Some('⁻'),
+        _ => c.to_digit(10).and_then(|digit| digits.get(usize::try_from(digit).ok()?).copied()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn a_power_of_ten_has_raised_figures_on_a_page() {
+        let written = |words: &str| {
+            let mut out = String::new();
+            super::push_words(&mut out, words);
+            out
+        };
+        assert_eq!(written("at (1.5 × 10^−13, 10^2) < x"), "at (1.5 × 10⁻¹³, 10²) &lt; x");
+        assert_eq!(written("10^ & up"), "10^ &amp; up");
+    }
+}

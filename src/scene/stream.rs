@@ -210,6 +210,14 @@ fn too_long(got: usize) -> Fault {
     Fault::OverLimit { what: "the line".to_owned(), limit: MAX_FILE_BYTES, unit: "bytes", got }
 }
 
+/// Whether a key that is not known may be what another fault lacks: it stands in the same table.
+fn is_cause(fault: &Fault, lacking: &Fault) -> bool {
+    match (fault, lacking) {
+        (Fault::UnknownKey { place, .. }, Fault::MissingKey { place: of, .. }) => place == of,
+        _ => false,
+    }
+}
+
 /// The code of the first problem; its message, with the JSON pointer to it and how many more there are.
 fn first_error(problems: &[Problem], source: &Source) -> (&'static str, String) {
     let Some(first) = problems.first() else { return (codes::INTERNAL.code, String::new()) };
@@ -223,8 +231,15 @@ fn first_error(problems: &[Problem], source: &Source) -> (&'static str, String) 
         message.push_str("; ");
         message.push_str(&help);
     }
-    if problems.len() > 1 {
-        let _ = write!(message, " (and {} more)", problems.len() - 1);
+    // What is missing may be there under a name that is not known: that is the cause.
+    let cause = problems.iter().find(|problem| is_cause(&problem.fault, &first.fault));
+    if let Some(cause) = cause {
+        let help = cause.fault.help().map(|help| format!(", {help}")).unwrap_or_default();
+        let _ = write!(message, "; {}{help}", cause.fault);
+    }
+    let told = 1 + usize::from(cause.is_some());
+    if problems.len() > told {
+        let _ = write!(message, " (and {} more)", problems.len() - told);
     }
     (first.fault.code(), brief(&message))
 }

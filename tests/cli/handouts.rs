@@ -200,7 +200,7 @@ fn a_project_that_is_named_is_that_of_all_scenes_and_lines() {
     let missing = stream(&["--project", "none.toml"]);
     assert_eq!((missing.code, missing.out.as_str()), (Some(74), ""), "{}", missing.err);
     assert!(missing.err.contains("can't read the project file `none.toml`"), "{}", missing.err);
-    let scene = stream(&["--project", "../a.toml"]);
+    let scene = stream(&["--project", "../docs/scenes/a.toml"]);
     assert_eq!((scene.code, scene.out.as_str()), (Some(1), ""), "{}", scene.err);
-    assert!(scene.err.contains("`../a.toml` is a scene, and no project file"), "{}", scene.err);
+    assert!(scene.err.contains("`../docs/scenes/a.toml` is a scene, and no project file"), "{}", scene.err);
 }

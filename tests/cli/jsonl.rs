@@ -182,6 +182,18 @@ fn bad_lines_get_an_error_line_and_the_run_goes_on() {
 }
 
 #[test]
+fn what_a_misspelt_key_lacks_is_told_with_the_key() {
+    let line =
+        r#"{"shapes": {"A": {"kind": "circle", "raduis": 1}}, "query": {"kind": "bounds", "of": ["A"]}}"#;
+    let (answers, _) = answers(line);
+    let error = &answers[0]["error"];
+    assert_eq!(error["code"], "missing-key");
+    let expected = "/shapes/A: a circle lacks `radius`: expected a number; unknown key `raduis` in a circle, \
+                    did you mean `radius`?";
+    assert_eq!(error["message"], expected);
+}
+
+#[test]
 fn an_answer_comes_before_the_next_line_is_written() {
     use std::io::{BufRead, BufReader, Write};
     use std::process::{Command, Stdio};

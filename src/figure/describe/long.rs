@@ -9,6 +9,7 @@ use crate::trace::Event;
 use crate::trace::told::is_by_component;
 
 use super::body::{body_in_words, kind_in_words};
+use super::layer_phrases;
 use super::number::Speech;
 use super::phrases::{
     AT_BOUND, AT_CLOSEST, AT_END, AT_HIT, AT_START, AT_TIME, BESIDE, CHART, CONFIGURATION, EMPTY, ENLARGED,
@@ -76,7 +77,9 @@ pub(crate) fn shown(scene: &Scene, panels: &[(&Panel, bool)]) -> String {
         } else {
             speech.say(&PICTURE, &[&title])
         };
-        let layers: Vec<&str> = panel.layers.iter().flatten().map(|l| l.name.value.as_str()).collect();
+        let called = |name: &'_ str| layer_phrases::called(name).map(|phrase| speech.0.word(phrase));
+        let names = panel.layers.iter().flatten().map(|layer| layer.name.value.as_str());
+        let layers: Vec<&str> = names.map(|name| called(name).unwrap_or(name)).collect();
         if layers.is_empty() {
             text += &speech.say(&EMPTY, &[&which]);
             continue;

@@ -166,10 +166,10 @@ phrases! {
         "si * et * se touchent n’est pas décidé : *.",
         "no se decide si * y * se tocan: *.";
     /// Rounding.
-    ROUNDING: "rounding forbids more",
-        "die Rundung lässt nicht mehr zu",
-        "l’arrondi n’en permet pas plus",
-        "el redondeo no permite más";
+    ROUNDING: "the rounding of their numbers leaves it open",
+        "die Rundung ihrer Zahlen lässt es offen",
+        "l’arrondi de leurs nombres ne le dit pas",
+        "el redondeo de sus números lo deja abierto";
     /// The tolerance.
     TOLERANCE: "they come within the tolerance",
         "sie kommen sich bis auf die Toleranz nahe",

@@ -66,12 +66,12 @@ pub(super) fn write(drawing: &Drawing, _: &Options, in_steps: InSteps) -> Result
         let _ = write!(out, "value=\"{number}\"{on}> ");
         escape(&mut out, &step.title);
         out.push_str("<span>");
-        escape(&mut out, &step.sentences.join(" "));
+        page::push_words(&mut out, &step.sentences.join(" "));
         out.push_str("</span></label></li>\n");
     }
     out.push_str("</ol>\n</fieldset>\n");
     page::open(&mut out, "p", of_desc);
-    escape(&mut out, &drawing.desc);
+    page::push_words(&mut out, &drawing.desc);
     let _ = write!(out, "</p>\n</main>\n<script>{SCRIPT}</script>\n</body>\n</html>\n");
     Ok(out.into_bytes())
 }
