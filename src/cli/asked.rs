@@ -26,8 +26,8 @@ fn format_help() -> String {
 /// Which scenes, and as what.
 #[derive(Args)]
 pub(crate) struct Asked {
-    /// Scene files, or folders, which are searched in depth; `-` is standard input, of `render`; none: the scenes of the
-    /// project file `tracefig.toml`, else all of figures/
+    /// Scene files, or folders, which are searched in depth; `-` is standard input, of `render`; none: the
+    /// scenes of the project file `tracefig.toml`, else all of figures/
     #[arg(value_name = "SCENE")]
     pub(crate) scenes: Vec<PathBuf>,
     /// Formats, separated by commas; the help says which are usual, from the table.

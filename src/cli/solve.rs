@@ -35,7 +35,8 @@ pub(crate) struct Solve {
     #[arg(long, conflicts_with_all = ALONE)]
     jsonl: bool,
     /// What a refused line of --jsonl does to the exit status; its error line is written in any case
-    #[arg(long, value_name = "WHAT", value_enum, default_value = "status", requires = "jsonl", conflicts_with_all = ALONE)]
+    #[arg(long, value_name = "WHAT", value_enum, default_value = "status", requires = "jsonl",
+        conflicts_with_all = ALONE)]
     errors: Errors,
     /// Answer only the Kth of N equal shares of the lines of --jsonl: every Nth, from the Kth on
     #[arg(long, value_name = "K/N", requires = "jsonl", conflicts_with_all = ALONE)]

@@ -1,6 +1,8 @@
 //! Why a run does nothing: its options, its inputs or its project file are wrong.
 
-use tracefig::scene::Refused;
+use std::path::Path;
+
+use tracefig::scene::{Fault, Problem, Refused, Source};
 
 use super::Status;
 use super::console::Console;
@@ -16,6 +18,13 @@ pub(crate) enum Unplanned {
     Unread(String),
     /// A project file is wrong.
     Refused(Box<Refused>),
+}
+
+/// What is said of a project file that can't be read, as of one that is wrong.
+pub(crate) fn unread(message: String, folder: &Path) -> Box<Refused> {
+    let help = "look at who may read it".to_owned();
+    let problems = vec![Problem::new(Fault::Conflict { message, help }, 0..0)];
+    Box::new(Refused { source: Source::new(&folder.display().to_string(), ""), problems })
 }
 
 /// Says why nothing is done.

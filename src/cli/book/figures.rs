@@ -7,8 +7,8 @@ use tracefig::drift::fingerprint;
 use tracefig::figure::{draw, plan, plan_in};
 use tracefig::output::{data_uri, inline};
 use tracefig::scene::{
-    CanvasDefaults, Explain, Fault, Ink, Problem, Refused, SceneFile, Source, Spanned, message, open,
-    open_text, project, visible,
+    CanvasDefaults, Explain, Ink, Refused, SceneFile, Source, Spanned, message, open, open_text, project,
+    visible,
 };
 
 use super::super::inputs::Input;
@@ -16,7 +16,7 @@ use super::super::live::{Inline, request};
 use super::super::own_themes::OwnThemes;
 use super::super::project::nearest;
 use super::super::themes::{ChosenTheme, theme_in};
-use super::super::unplanned::Unplanned;
+use super::super::unplanned::{Unplanned, unread};
 use super::attributes::Attributes;
 use super::colors::Colors;
 use super::kept::Kept;
@@ -348,11 +348,7 @@ fn page_of(file: &Path) -> Result<CanvasDefaults, Box<Refused>> {
     match nearest(folder) {
         Ok(Some(project)) => Ok(project.said.canvas),
         Err(Unplanned::Refused(refused)) => Err(refused),
-        Err(Unplanned::Unread(message)) => {
-            let help = "look at who may read it".to_owned();
-            let problems = vec![Problem::new(Fault::Conflict { message, help }, 0..0)];
-            Err(Box::new(Refused { source: Source::new(&folder.display().to_string(), ""), problems }))
-        }
+        Err(Unplanned::Unread(message)) => Err(unread(message, folder)),
         // A project is read or refused.
         Ok(None) | Err(Unplanned::Usage(_) | Unplanned::Wrong(_)) => {
             Ok(project(&Source::new("", WIDTH)).map(|project| project.canvas).unwrap_or_default())

@@ -66,7 +66,10 @@ phrases! {
     /// The layer of this name.
     ADVANCEMENT: "advancement", "ein Schritt der Annäherung", "une étape de l’avance", "un paso del avance";
     /// The layer of this name.
-    TRACKS: "tracks", "Wege der Berührpunkte", "trajets des points de contact", "caminos de los puntos de contacto";
+    TRACKS: "tracks",
+        "Wege der Berührpunkte",
+        "trajets des points de contact",
+        "caminos de los puntos de contacto";
     /// The layer of this name.
     SPIN: "spin", "Drehung", "rotation", "giro";
     /// The layer of this name.
@@ -86,13 +89,19 @@ phrases! {
     /// The layer of this name.
     MERGING: "merging", "Mischen der Kanten", "fusion des arêtes", "fusión de las aristas";
     /// The layer of this name.
-    SEPARATING_CONE: "separating-cone", "trennende Richtungen", "directions séparatrices", "direcciones separadoras";
+    SEPARATING_CONE: "separating-cone",
+        "trennende Richtungen",
+        "directions séparatrices",
+        "direcciones separadoras";
     /// The layer of this name.
     SEPARATING_LINES: "separating-lines", "trennende Geraden", "droites séparatrices", "rectas separadoras";
     /// The layer of this name.
     GRAPH: "graph", "Abstand über der Zeit", "distance en fonction du temps", "separación en el tiempo";
     /// The layer of this name.
-    FASTEST_APPROACH: "fastest-approach", "schnellste Annäherung", "approche la plus rapide", "acercamiento más rápido";
+    FASTEST_APPROACH: "fastest-approach",
+        "schnellste Annäherung",
+        "approche la plus rapide",
+        "acercamiento más rápido";
     /// The layer of this name.
     ENLARGED: "enlarged", "Rahmen um ein Detail", "cadre d’un détail", "marco de un detalle";
     /// The layer of this name.

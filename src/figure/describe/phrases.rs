@@ -17,7 +17,7 @@ phrases! {
         "ningún punto de * se mueve más de *.";
     /// The bound of one that is carried along and turns: which, how far, of that with the velocity, the turn.
     NO_FARTHER_BY: "no point of * travels farther than *: * with the velocity and at most * with the turn.",
-        "kein Punkt von * bewegt sich weiter als *: * mit der Geschwindigkeit und höchstens * mit der Drehung.",
+        "kein Punkt von * bewegt sich weiter als *: * mit der Geschwindigkeit, höchstens * mit der Drehung.",
         "aucun point de * ne se déplace de plus de * : * avec la vitesse et au plus * avec la rotation.",
         "ningún punto de * se mueve más de *: * con la velocidad y como máximo * con el giro.";
     /// The bound of two.

@@ -196,7 +196,7 @@ fn unit(row: &Askable, exercise: &Exercise, words: Words) -> String {
 fn units(exercise: &Exercise, words: Words) -> String {
     let given = [(&LENGTHS_IN, &exercise.length_unit), (&TIMES_IN, &exercise.time_unit)];
     let said = given.map(|(phrase, unit)| unit.as_ref().map(|unit| words.say(phrase, &[&unit.value])));
-    said.into_iter().flatten().map(|text| format!(" {text}")).collect()
+    said.into_iter().flatten().fold(String::new(), |all, text| all + " " + &text)
 }
 
 /// The numbers that answer an exercise, of the query's own moment; those that this answer lacks are left out.

@@ -150,7 +150,8 @@ mod tests {
         );
         assert_eq!(
             given("shapes.A = { kind = 'circle', radius = 1.0625, velocity = [2, 0] }"),
-            "A is a circle of radius 1.0625 at (0, 0). A moves by (2, 0). The motion runs from t = 0 to t = 1."
+            "A is a circle of radius 1.0625 at (0, 0). A moves by (2, 0). The motion runs from t = 0 to \
+             t = 1."
         );
         let polygon = given(
             "shapes.A = { kind = 'polygon', vertices = [[0, 0], [3, 0], [0, 4]], rotation = [0.6, 0.8] }",
@@ -197,8 +198,8 @@ mod tests {
             ),
             (
                 "ja",
-                "A is a box of 2 by 0.5 at (0, 0), turned by 30° counter-clockwise. A moves by (2.5, 0). The motion runs from \
-                    t = 0 to t = 1.",
+                "A is a box of 2 by 0.5 at (0, 0), turned by 30° counter-clockwise. A moves by (2.5, 0). The \
+                    motion runs from t = 0 to t = 1.",
             ),
         ] {
             assert_eq!(given(&format!("lang = '{lang}'\n{moving}")), said);

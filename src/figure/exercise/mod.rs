@@ -11,6 +11,7 @@
 
 mod answers;
 mod askable;
+mod asked_of;
 mod caption;
 mod givens;
 mod measure;

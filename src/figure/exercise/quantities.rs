@@ -2,8 +2,8 @@
 //! question.
 
 use crate::collision::QueryKind;
-use crate::figure::question::is_of_a_moment;
 
+use super::asked_of::{bounds_motion, is_for_a_box, is_of_two, moves};
 use super::measure::Measure;
 use crate::trace::{Phrase, phrase};
 
@@ -22,26 +22,6 @@ pub(crate) struct Askable {
     pub(crate) is_proved: bool,
     /// The questions whose answers it is a part of.
     pub(crate) of: fn(QueryKind) -> bool,
-}
-
-/// Whether a question is for the first contact.
-fn moves(kind: QueryKind) -> bool {
-    !is_of_a_moment(kind) && kind != QueryKind::MotionBound
-}
-
-/// Whether a question is for a motion bound.
-fn bounds_motion(kind: QueryKind) -> bool {
-    kind == QueryKind::MotionBound
-}
-
-/// Whether a question is about two bodies.
-fn is_of_two(kind: QueryKind) -> bool {
-    !bounds_motion(kind) && kind != QueryKind::Bounds
-}
-
-/// Whether a question is for a box.
-fn is_for_a_box(kind: QueryKind) -> bool {
-    kind == QueryKind::Bounds
 }
 
 /// A row of the table.
@@ -260,7 +240,7 @@ pub(super) static ASKABLE: &[Askable] = &[
         "D_x",
         [
             "the x component of D, from the nearest point of the box's outline to the circle's centre",
-            "die x-Komponente von D, vom nächsten Punkt auf dem Rand des Rechtecks zum Mittelpunkt des Kreises",
+            "die x-Komponente von D, vom nächsten Punkt am Rand des Rechtecks zur Kreismitte",
             "la composante x de D, du point le plus proche du contour du rectangle au centre du cercle",
             "la componente x de D, del punto más cercano del contorno del rectángulo al centro del círculo",
         ],
@@ -272,7 +252,7 @@ pub(super) static ASKABLE: &[Askable] = &[
         "D_y",
         [
             "the y component of D, from the nearest point of the box's outline to the circle's centre",
-            "die y-Komponente von D, vom nächsten Punkt auf dem Rand des Rechtecks zum Mittelpunkt des Kreises",
+            "die y-Komponente von D, vom nächsten Punkt am Rand des Rechtecks zur Kreismitte",
             "la composante y de D, du point le plus proche du contour du rectangle au centre du cercle",
             "la componente y de D, del punto más cercano del contorno del rectángulo al centro del círculo",
         ],

@@ -176,7 +176,7 @@ mod tests {
         let plan = plan(&scene).unwrap();
         let figure = draw(&plan, plan.theme, "bounds");
         let panel = &figure.panels[0];
-        let off = panel.frame.page(DVec2::new(123456.0, -98765.0)) - panel.frame.panel.center();
+        let off = panel.frame.page(DVec2::new(123_456.0, -98_765.0)) - panel.frame.panel.center();
         assert!(off.length() < 1.0, "{off:?}");
         let keys: Vec<_> = panel.placed.iter().map(|label| label.key).collect();
         assert_eq!(keys, ["A", "min"]);

@@ -33,8 +33,8 @@ pub(super) const LAYER: Layer = Layer {
             name: "values",
             takes: Takes::Flag,
             default: "false",
-            about: "writes the components of V and of D, in the frame of the panel; where V_x and V_y of a box \
-                    that is turned there are shown, theirs, and the length of D",
+            about: "writes the components of V and of D, in the frame of the panel; with V_x and V_y of a \
+                    box that is turned there, theirs and the length of D",
         },
     ],
     labels: &[

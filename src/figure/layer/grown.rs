@@ -79,7 +79,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         }
     }
     if options.flag("copies", true) {
-        copies(sketch.since(None), context, &outline_b, b);
+        copies(sketch.since(None), context, [&outline_a, &outline_b], b);
         // A lies on them, and has room for its name.
         sketch.hidden_under(&outline_a);
     }
@@ -123,8 +123,16 @@ fn name_grown(sketch: &mut Sketch, grown: &Outline, b: DVec2) {
     sketch.label(Label::new("grown", "", anchor, Role::Difference).rank(Rank::Word).size(Size::Note));
 }
 
-/// Draws B turned about its point `b`, with that at every vertex of A: what A is grown by.
-fn copies(sketch: &mut Sketch, context: &Context, outline_b: &Outline, b: DVec2) {
+/// Whether all of an outline lies within a convex one, which then hides it.
+fn is_within(inner: &Outline, outer: &Outline) -> bool {
+    let outer = outer.sampled();
+    let edges = || outer.iter().zip(outer.iter().cycle().skip(1));
+    inner.sampled().iter().all(|&p| edges().all(|(&from, &to)| (to - from).perp_dot(p - from) >= 0.0))
+}
+
+/// Draws B turned about its point `b`, with that at every vertex of A: what A is grown by. A copy that A
+/// hides has no label.
+fn copies(sketch: &mut Sketch, context: &Context, [outline_a, outline_b]: [&Outline; 2], b: DVec2) {
     sketch.part("copies").weight(Weight::Light);
     let mut last = None;
     for vertex in vertices(context) {
@@ -135,7 +143,7 @@ fn copies(sketch: &mut Sketch, context: &Context, outline_b: &Outline, b: DVec2)
         sketch.area(&copy, None, Some(Pen::ghost(Role::B)));
         last = Some(copy);
     }
-    if let Some(copy) = last {
+    if let Some(copy) = last.filter(|copy| !is_within(copy, outline_a)) {
         let name = context.named(Side::B);
         let text = match letter_of_b(context) {
             Some(letter) => format!("{} turned about {letter}", name.shortened()),

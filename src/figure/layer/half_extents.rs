@@ -19,7 +19,7 @@ const OFFSET: f64 = 24.0;
 /// to be seen.
 pub(super) const ON_LINE: f64 = 1.0;
 
-/// About how wide "h_y = " is with the gap before it, page pixels.
+/// About how wide "`h_y` = " is with the gap before it, page pixels.
 const LETTERS: f64 = 46.0;
 
 /// About how wide a digit is, page pixels.

@@ -93,8 +93,8 @@ pub(crate) fn whole_and_parts(whole: f64, parts: &[f64], rest: f64) -> Vec<Strin
     written
 }
 
-/// A bound, a number that is part of it, and the bound of the rest: bounds no smaller than they are, to as many
-/// digits after the point as the first one has, or more, so that the two parts add up to it as they are
+/// A bound, a number that is part of it, and the bound of the rest: bounds no smaller than they are, to as
+/// many digits after the point as the first one has, or more, so that the two parts add up to it as they are
 /// written; `None` where [`MORE`] digits do not.
 #[must_use]
 pub(crate) fn bound_and_parts(bound: f64, part: f64, rest: f64) -> Option<[String; 3]> {

@@ -196,7 +196,8 @@ fn a_bound_is_said_no_smaller_than_it_is() {
     // √10 · 111° = 6.1263…
     assert_eq!(said(text), "No point of a travels farther than 6.13.");
     // A velocity of √26 = 5.0990… and a turn of √2.5 · 120° = 3.3115….
-    let text = "shapes.a = { kind = 'box', half_extents = [1.5, 0.5], velocity = [5, 1], angular_velocity_deg = 120 }
+    let text = "shapes.a = { kind = 'box', half_extents = [1.5, 0.5], velocity = [5, 1],
+            angular_velocity_deg = 120 }
         query = { kind = 'motion-bound', of = ['a'] }";
     let expected =
         "No point of a travels farther than 8.411: 5.099 with the velocity and at most 3.312 with the turn.";

@@ -253,3 +253,21 @@ fn contacts_that_lie_on_one_spot_are_enlarged() {
     let named: Vec<_> = figure.insets.iter().flat_map(|inset| inset.placed.iter().map(|l| l.key)).collect();
     assert!(named.contains(&"c_1") && named.contains(&"c_2"), "{named:?}");
 }
+
+#[test]
+fn a_body_that_the_mark_of_its_contact_covers_is_seen_in_an_inset() {
+    for kind in ["linear-sweep", "time-of-impact"] {
+        for (radius, insets) in [(0.5, 1), (30.0, 0)] {
+            let text = format!(
+                "shapes.train = {{ kind = 'box', half_extents = [100, 20], position = [-160, 0],
+                    velocity = [80, 5] }}
+                shapes.egg = {{ kind = 'circle', radius = {radius}, position = [10, 8] }}
+                query = {{ kind = '{kind}', of = ['train', 'egg'] }}"
+            );
+            let scene = crate::scene::open_text("s.toml", &text).unwrap().scene;
+            let plan = crate::figure::plan(&scene).unwrap();
+            let figure = crate::figure::draw(&plan, plan.theme, "s");
+            assert_eq!(figure.insets.len(), insets, "{kind}, {radius}");
+        }
+    }
+}

@@ -11,6 +11,7 @@ mod numbers;
 mod reading;
 mod steps;
 mod ties;
+mod turned_box;
 mod words;
 
 use std::collections::BTreeMap;

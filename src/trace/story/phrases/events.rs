@@ -44,10 +44,10 @@ phrases! {
     /// D, the sign of its length, and the distance.
     CLAMPED: "In *'s frame V = *, clamped to * by the half-extents *. In the world the closest point is *, \
          with D = * from there, and *|D| * r = *.",
-        "Im System von * ist V = *, auf * begrenzt durch die halben Ausdehnungen *. In der Welt ist der nächste \
-         Punkt *, mit D = * von dort, und *|D| * r = *.",
-        "Dans le repère de * : V = *, borné à * par les demi-étendues *. Dans le monde, le point le plus proche \
-         est *, avec D = * de là, et *|D| * r = *.",
+        "Im System von * ist V = *, auf * begrenzt durch die halben Ausdehnungen *. In der Welt ist der \
+         nächste Punkt *, mit D = * von dort, und *|D| * r = *.",
+        "Dans le repère de * : V = *, borné à * par les demi-étendues *. Dans le monde, le point le plus \
+         proche est *, avec D = * de là, et *|D| * r = *.",
         "En el sistema de *: V = *, limitado a * por las semiextensiones *. En el mundo el punto más cercano \
          es *, con D = * desde ahí, y *|D| * r = *.";
     /// The farthest vertices of a body: direction, body, vertices, a tie.
@@ -63,8 +63,9 @@ phrases! {
         "L’arête * de * avec le sommet * de * est l’arête * à * de * ; l’origine est * de sa droite.",
         "La arista * de * con el vértice * de * es la arista * a * de *; el origen está * de su recta.";
     /// An edge of B ⊖ A with a circle: edge, body, the circle, from, to, of what, and where the origin is.
-    DIFFERENCE_EDGE_OF_CENTER: "Edge * of * with the centre of * is the edge * to * of *; the origin is * its line.",
-        "Kante * von * mit dem Mittelpunkt von * ist die Kante * bis * von *; der Ursprung liegt * ihrer Geraden.",
+    DIFFERENCE_EDGE_OF_CENTER:
+        "Edge * of * with the centre of * is the edge * to * of *; the origin is * its line.",
+        "Kante * von * mit der Mitte von * ist die Kante * bis * von *; der Ursprung liegt * ihrer Geraden.",
         "L’arête * de * avec le centre de * est l’arête * à * de * ; l’origine est * de sa droite.",
         "La arista * de * con el centro de * es la arista * a * de *; el origen está * de su recta.";
     /// The next edge of a merge: edge, body, why.
