@@ -21,10 +21,10 @@ pub(crate) enum Unplanned {
 }
 
 /// What is said of a project file that can't be read, as of one that is wrong.
-pub(crate) fn unread(message: String, folder: &Path) -> Box<Refused> {
+pub(crate) fn unread(message: String, folder: &Path) -> Refused {
     let help = "look at who may read it".to_owned();
     let problems = vec![Problem::new(Fault::Conflict { message, help }, 0..0)];
-    Box::new(Refused { source: Source::new(&folder.display().to_string(), ""), problems })
+    Refused { source: Source::new(&folder.display().to_string(), ""), problems }
 }
 
 /// Says why nothing is done.

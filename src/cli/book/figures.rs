@@ -348,7 +348,7 @@ fn page_of(file: &Path) -> Result<CanvasDefaults, Box<Refused>> {
     match nearest(folder) {
         Ok(Some(project)) => Ok(project.said.canvas),
         Err(Unplanned::Refused(refused)) => Err(refused),
-        Err(Unplanned::Unread(message)) => Err(unread(message, folder)),
+        Err(Unplanned::Unread(message)) => Err(Box::new(unread(message, folder))),
         // A project is read or refused.
         Ok(None) | Err(Unplanned::Usage(_) | Unplanned::Wrong(_)) => {
             Ok(project(&Source::new("", WIDTH)).map(|project| project.canvas).unwrap_or_default())
