@@ -28,10 +28,8 @@ const PARTS: [f64; 5] = [2.0, 4.0, 5.0, 10.0, 20.0];
 const WHOLE: f64 = 1e-9;
 /// Steps that a place or a velocity moves by at most.
 const FAR: u64 = 6;
-/// Steps that a size changes by less than.
-const NEAR: u64 = 6;
-/// The part of itself that a size changes by at most, but for one step.
-const HALF: f64 = 0.5;
+/// Steps that a size changes by at most.
+const NEAR: u64 = 5;
 /// Steps of angles and of spins, degrees, the largest first: the first that the scene's own number is a whole
 /// multiple of is taken, and of none stays. A quarter turn leaves every coordinate short, the others some.
 const TURNS: [f64; 6] = [90.0, 45.0, 30.0, 15.0, 10.0, 5.0];
@@ -146,7 +144,7 @@ fn drawn(field: &Numbers, random: &mut Rand64) -> Vec<f64> {
     let parts = parts(&field.values);
     let mut step = |most: u64| {
         let drawn = u32::try_from(random.rand_range(0..2 * most + 1)).unwrap_or(0);
-        f64::from(drawn) - steps(most)
+        f64::from(drawn) - f64::from(u32::try_from(most).unwrap_or(0))
     };
     match field.key {
         "rotation" => {
@@ -168,22 +166,8 @@ fn drawn(field: &Numbers, random: &mut Rand64) -> Vec<f64> {
                 |&x: &f64| Some(x + turn(x) * step(TURNED)).filter(|y| x != 0.0 && *y != 0.0).unwrap_or(x);
             field.values.iter().map(spun).collect()
         }
-        _ => field
-            .values
-            .iter()
-            .map(|x| {
-                let own = (x * parts).round();
-                // One body is not to be within the other where the scene has them side by side.
-                let most = (1..NEAR).rev().find(|&most| steps(most) <= HALF * own).unwrap_or(1);
-                (own + step(most)).max(1.0) / parts
-            })
-            .collect(),
+        _ => field.values.iter().map(|x| ((x * parts).round() + step(NEAR)).max(1.0) / parts).collect(),
     }
-}
-
-/// Steps as a number.
-fn steps(count: u64) -> f64 {
-    f64::from(u32::try_from(count).unwrap_or(u32::MAX))
 }
 
 /// By how much an angle or a spin changes in a step, degrees; 0 where it is no round one.
