@@ -7,14 +7,15 @@ use crate::drawing::{Color, Dark, Drawing, Item, Paint, Role};
 use crate::scene::{Background, Space, Variant};
 
 use super::bands::{A_FIFTH, A_QUARTER, widest};
-use super::describe::{self, Account};
+use super::describe::{self, Account, Shown};
 use super::drawn_panel::{DrawnPanel, Sheet, draw_panel};
 use super::exercise;
 use super::fault::{Fault, Problem};
 use super::grounds::grounds;
 use super::handle::Handle;
-use super::layer::is_key;
+use super::layer::{find, is_key};
 use super::page::Page;
+use super::panel::PanelPlan;
 use super::placement::{LabelFault, Labelled, faults, tint};
 use super::plan::Plan;
 use super::printed::{across, title, under};
@@ -315,7 +316,13 @@ fn short(plan: &Plan, run: &Run) -> String {
 
 /// The long alternative text: the headline, what is there, and the caption where the page has no room for it.
 fn description(plan: &Plan, run: &Run) -> String {
-    let panels: Vec<_> = plan.panels.iter().map(|panel| (panel.source.as_ref(), panel.is_chart())).collect();
+    let shown = |panel: &'_ PanelPlan| {
+        let names = panel.source.layers.iter().flatten().map(|layer| layer.name.value.as_str());
+        names.filter_map(find).map(|layer| &layer.in_words).collect()
+    };
+    let panels: Vec<_> = (plan.panels.iter())
+        .map(|panel| Shown { panel: &panel.source, is_chart: panel.is_chart(), layers: shown(panel) })
+        .collect();
     let long = match exercise::spoken(plan.scene, &plan.runs) {
         Some(question) => {
             format!("{question} {}", describe::shown(plan.scene, &panels)).trim_end().to_owned()

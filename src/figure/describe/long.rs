@@ -5,11 +5,10 @@ use crate::figure::runs::Run;
 use crate::figure::text::plain;
 use crate::geometry::Body;
 use crate::scene::{Panel, Scene, Space, Spanned, When};
-use crate::trace::Event;
 use crate::trace::told::is_by_component;
+use crate::trace::{Event, Phrase};
 
 use super::body::{body_in_words, kind_in_words};
-use super::layer_phrases;
 use super::number::Speech;
 use super::phrases::{
     AT_BOUND, AT_CLOSEST, AT_END, AT_HIT, AT_START, AT_TIME, BESIDE, CHART, CONFIGURATION, EMPTY, ENLARGED,
@@ -17,9 +16,18 @@ use super::phrases::{
 };
 use super::result::Account;
 
-/// A paragraph for `desc`: the bodies, the question, the answer, the steps, the panels, each with whether it
-/// is a chart.
-pub(crate) fn long((scene, run): (&Scene, &Run), told: &Account, panels: &[(&Panel, bool)]) -> String {
+/// A panel, and what it shows.
+pub(crate) struct Shown<'p> {
+    /// The panel.
+    pub(crate) panel: &'p Panel,
+    /// Whether it is a chart.
+    pub(crate) is_chart: bool,
+    /// What its layers are called.
+    pub(crate) layers: Vec<&'static Phrase>,
+}
+
+/// A paragraph for `desc`: the bodies, the question, the answer, the steps, the panels.
+pub(crate) fn long((scene, run): (&Scene, &Run), told: &Account, panels: &[Shown]) -> String {
     let speech = Speech::of(scene);
     let mut text = String::new();
     for &index in &scene.query.of {
@@ -66,25 +74,23 @@ fn steps((scene, run): (&Scene, &Run), speech: Speech) -> String {
 }
 
 /// What each panel shows: its space, or that it is a chart, its moment, its layers by name.
-pub(crate) fn shown(scene: &Scene, panels: &[(&Panel, bool)]) -> String {
+pub(crate) fn shown(scene: &Scene, panels: &[Shown]) -> String {
     let speech = Speech::of(scene);
     let mut text = String::new();
     let many = panels.len() > 1;
-    for (i, &(panel, is_chart)) in panels.iter().enumerate() {
+    for (i, Shown { panel, is_chart, layers }) in panels.iter().enumerate() {
         let title = panel.title.as_ref().map_or(String::new(), |t| format!(" ({})", plain(&t.value)));
         let which = if many {
             speech.say(&PANEL, &[&(i + 1).to_string(), &title])
         } else {
             speech.say(&PICTURE, &[&title])
         };
-        let called = |name: &'_ str| layer_phrases::called(name).map(|phrase| speech.0.word(phrase));
-        let names = panel.layers.iter().flatten().map(|layer| layer.name.value.as_str());
-        let layers: Vec<&str> = names.map(|name| called(name).unwrap_or(name)).collect();
+        let layers: Vec<&str> = layers.iter().map(|phrase| speech.0.word(*phrase)).collect();
         if layers.is_empty() {
             text += &speech.say(&EMPTY, &[&which]);
             continue;
         }
-        let space = if is_chart { speech.0.word(&CHART).to_owned() } else { space(scene, panel, speech) };
+        let space = if *is_chart { speech.0.word(&CHART).to_owned() } else { space(scene, panel, speech) };
         let when = when(panel, speech);
         text += &speech.say(&SHOWS, &[&which, &space, &when, &layers.join(", ")]);
         text += if panel.inset.is_some() { speech.0.word(&ENLARGED) } else { ". " };

@@ -7,14 +7,13 @@
 
 pub(in crate::figure) mod body;
 pub(crate) mod body_phrases;
-mod layer_phrases;
 mod long;
 mod number;
 mod phrases;
 mod result;
 mod short;
 
-pub(crate) use long::{long, shown};
+pub(crate) use long::{Shown, long, shown};
 pub(crate) use phrases::QUESTION;
 pub(crate) use result::{Account, closing};
 pub(crate) use short::short;
@@ -23,5 +22,5 @@ use crate::trace::Phrase;
 
 /// Every phrase of the short and the long text, in an order that stays.
 pub(crate) fn all_phrases() -> impl Iterator<Item = &'static Phrase> {
-    phrases::ALL.iter().chain(body_phrases::ALL).chain(layer_phrases::ALL).copied()
+    phrases::ALL.iter().chain(body_phrases::ALL).copied()
 }

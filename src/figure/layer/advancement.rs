@@ -6,8 +6,8 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Rank, SMALL_MARKER, Size, Sketch, Weight};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, perp};
-use crate::trace::Event;
 use crate::trace::step::advanced;
+use crate::trace::{Event, phrase};
 
 use super::normal::unit_vector;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
@@ -17,6 +17,12 @@ const TANGENT: [f64; 2] = [110.0, 40.0];
 
 pub(super) const LAYER: Layer = Layer {
     name: "advancement",
+    in_words: phrase([
+        "advancement",
+        "ein Schritt der Annäherung",
+        "une étape de l’avance",
+        "un paso del avance",
+    ]),
     about: "one step: estimate, closest point, normal, tangent, new estimate",
     shows: Shows::Configuration,
     tells: Tells::Found,

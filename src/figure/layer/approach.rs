@@ -3,6 +3,7 @@
 //! In configuration space, where bodies that do not turn leave B ⊖ A as it is, the same is the way from the
 //! origin's place on the ray to the nearest point of B ⊖ A.
 
+use super::{Fed, LabelKey, Layer, ONE_OF_SEVERAL, Options, Shows, Tells, ghosts};
 use crate::drawing::Role;
 use crate::figure::again::Nearest;
 use crate::figure::context::{Approach, Context};
@@ -10,14 +11,14 @@ use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, MARKER, Marker, Pen, Sk
 use crate::figure::text::{Quantity, number};
 use crate::geometry::{DVec2, Side};
 use crate::scene::{Space, When};
-
-use super::{Fed, LabelKey, Layer, ONE_OF_SEVERAL, Options, Shows, Tells, ghosts};
+use crate::trace::phrase;
 
 /// Why a panel of configuration space has no closest approach, where a body turns.
 const ANOTHER_DIFFERENCE: &str = "the bodies turn, and B ⊖ A is another one at their closest";
 
 pub(super) const LAYER: Layer = Layer {
     name: "approach",
+    in_words: phrase(["approach", "größte Annäherung", "approche la plus proche", "máxima aproximación"]),
     about: "how near a miss came: the bodies at their closest, and their distance then",
     shows: Shows::Anywhere,
     tells: Tells::Found,

@@ -13,8 +13,8 @@ use crate::figure::sketch::{
 };
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side, perp};
-use crate::trace::Event;
 use crate::trace::step::turned;
+use crate::trace::{Event, phrase};
 
 use super::half_extents::ON_LINE;
 use super::turn::{BELOW, FAN, ON_THE_WAY, SECTOR, Turn, rungs};
@@ -32,6 +32,7 @@ const CLEAR: f64 = 3.0;
 
 pub(super) const LAYER: Layer = Layer {
     name: "arc",
+    in_words: phrase(["arc", "Bogen", "arc", "arco"]),
     about: "the arc of the extreme point of a turning body",
     shows: Shows::World,
     tells: Tells::Found,

@@ -6,6 +6,7 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{Pen, Sketch, Weight, Words};
 use crate::figure::text::Decimal;
 use crate::geometry::DVec2;
+use crate::trace::phrase;
 
 use super::grid::{Mark, STEP, marks};
 use super::ruler::Ruler;
@@ -20,6 +21,7 @@ const ROOM: f64 = 10.0;
 
 pub(super) const LAYER: Layer = Layer {
     name: "axes",
+    in_words: phrase(["axes", "Achsen", "axes", "ejes"]),
     about: "the coordinate axes of the panel's space, through its origin",
     shows: Shows::Anywhere,
     tells: Tells::Given,

@@ -11,7 +11,7 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, Outline, Pen, Sketch, Wash, Weight};
 use crate::figure::text::{Quantity, whole_and_parts};
 use crate::geometry::{DVec2, Side};
-use crate::trace::Event;
+use crate::trace::{Event, phrase};
 
 use super::half_extents::{GUIDE, beside};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
@@ -34,6 +34,12 @@ const LAST: [f64; 2] = [6.1, 4.6];
 
 pub(super) const LAYER: Layer = Layer {
     name: "axis-gaps",
+    in_words: phrase([
+        "axis-gaps",
+        "Lücken entlang der Achsen",
+        "écarts selon les axes",
+        "huecos según los ejes",
+    ]),
     about: "half-extents, centre distance and gap of two AABBs, axis by axis",
     shows: Shows::World,
     tells: Tells::Found,

@@ -8,7 +8,7 @@ use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, MARKER, Marker, Outline
 use crate::figure::text::Places;
 use crate::geometry::{DVec2, Side};
 use crate::trace::step::bounds;
-use crate::trace::{Event, SupportVertex};
+use crate::trace::{Event, SupportVertex, phrase};
 
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
@@ -26,6 +26,7 @@ const BOX: f64 = 1.75;
 
 pub(super) const LAYER: Layer = Layer {
     name: "bounds",
+    in_words: phrase(["bounds", "Bounding-Box", "boîte englobante", "caja envolvente"]),
     about: "the AABB with its corners and centre",
     shows: Shows::World,
     tells: Tells::Found,

@@ -15,6 +15,7 @@ use crate::figure::cue::Cue;
 use crate::figure::sketch::{Anchor, Label, Pen, Rank, Size, Sketch, Weight};
 use crate::figure::text::number;
 use crate::geometry::DVec2;
+use crate::trace::phrase;
 
 use super::cores::radii_in_words;
 use super::difference::difference;
@@ -42,6 +43,7 @@ const CLOSED: f64 = 1e-9;
 
 pub(super) const LAYER: Layer = Layer {
     name: "bracket",
+    in_words: phrase(["bracket", "Schranken des Abstands", "bornes de la distance", "cotas de la distancia"]),
     about: "what a step of GJK proves of the distance: at least, at most, as a bar to the panel's scale",
     shows: Shows::Configuration,
     tells: Tells::Found,

@@ -11,8 +11,8 @@ use crate::figure::sketch::{
 };
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Pose, Rotation, Side};
-use crate::trace::Event;
 use crate::trace::step::clamped as parts;
+use crate::trace::{Event, phrase};
 
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
@@ -24,6 +24,12 @@ const PARTS: &[&str] = &["V", "components", "clamped", "Bc", "D"];
 
 pub(super) const LAYER: Layer = Layer {
     name: "clamp",
+    in_words: phrase([
+        "clamp",
+        "Begrenzen auf das Rechteck",
+        "bornage au rectangle",
+        "limitación al rectángulo",
+    ]),
     about: "a circle's centre clamped to a box",
     shows: Shows::World,
     tells: Tells::Found,

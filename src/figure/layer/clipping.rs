@@ -10,7 +10,7 @@ use crate::figure::sketch::{
 };
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side, perp};
-use crate::trace::Event;
+use crate::trace::{Event, phrase};
 
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
@@ -31,6 +31,7 @@ const PARTS: [&str; 4] = ["edges", "planes", "cut", "depths"];
 
 pub(super) const LAYER: Layer = Layer {
     name: "clipping",
+    in_words: phrase(["clipping", "Beschneiden", "découpage", "recorte"]),
     about: "points of contact: reference edge, side planes, what they cut off, depths",
     shows: Shows::World,
     tells: Tells::Found,

@@ -11,7 +11,7 @@ use crate::figure::difference::{Difference, Edge};
 use crate::figure::sketch::{Anchor, Label, Pen, Rank, Size, Sketch, Weight, angle_of};
 use crate::figure::text::{asked_distance, distance_or_depth, number};
 use crate::geometry::{DVec2, Side};
-use crate::trace::Event;
+use crate::trace::{Event, phrase};
 
 use super::difference::difference;
 use super::polytope::PUSHED;
@@ -25,6 +25,7 @@ const UNSEEN: f64 = 1.0;
 
 pub(super) const LAYER: Layer = Layer {
     name: "closest",
+    in_words: phrase(["closest", "nächster Punkt", "point le plus proche", "punto más cercano"]),
     about: "distance of the origin, or a sweep's estimate, from B ⊖ A; inside, the minimum translation",
     shows: Shows::Configuration,
     tells: Tells::Found,

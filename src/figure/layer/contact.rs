@@ -1,15 +1,16 @@
 //! The point where the bodies touch at the hit.
 
+use super::{Fed, LabelKey, Layer, Options, Shows, Tells};
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Sketch};
 use crate::figure::touching::{Touching, touching};
 use crate::geometry::Side;
-
-use super::{Fed, LabelKey, Layer, Options, Shows, Tells};
+use crate::trace::phrase;
 
 pub(super) const LAYER: Layer = Layer {
     name: "contact",
+    in_words: phrase(["contact", "Berührpunkt", "point de contact", "punto de contacto"]),
     about: "the point of first contact",
     shows: Shows::World,
     tells: Tells::Found,

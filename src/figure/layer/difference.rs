@@ -11,7 +11,7 @@ use crate::figure::runs::tells_difference;
 use crate::figure::sketch::{Anchor, Label, Pen, Piece, Rank, Size, Sketch, Wash, Weight};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Feature, Side};
-use crate::trace::{Culling, Event};
+use crate::trace::{Culling, Event, phrase};
 
 use crate::scene::When;
 
@@ -41,6 +41,12 @@ const BEGINS: f64 = 1e-12;
 
 pub(super) const LAYER: Layer = Layer {
     name: "difference",
+    in_words: phrase([
+        "difference",
+        "Minkowski-Differenz",
+        "différence de Minkowski",
+        "diferencia de Minkowski",
+    ]),
     about: "the Minkowski difference B ⊖ A, edges by source",
     shows: Shows::Configuration,
     tells: Tells::Built,

@@ -10,7 +10,7 @@ use crate::figure::sketch::{
     Anchor, Label, Marker, Pen, Rank, SMALL_MARKER, Size, Sketch, Weight, angle_of, on_circle,
 };
 use crate::geometry::{DVec2, Side};
-use crate::trace::Event;
+use crate::trace::{Event, phrase};
 
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of};
 
@@ -26,6 +26,12 @@ const WIDEST: f64 = 44.0;
 
 pub(super) const LAYER: Layer = Layer {
     name: "edge-fan",
+    in_words: phrase([
+        "edge-fan",
+        "Kanten nach ihrer Richtung",
+        "arêtes par direction",
+        "aristas por dirección",
+    ]),
     about: "edges of B and mirrored edges of A as vectors from O, in the order of their directions",
     shows: Shows::Configuration,
     tells: Tells::Built,

@@ -9,6 +9,7 @@ use crate::figure::context::Context;
 use crate::figure::difference::{Difference, Edge};
 use crate::figure::sketch::{Anchor, Label, Pen, Rank, Size, Sketch, Weight, angle_of};
 use crate::geometry::{DVec2, Side};
+use crate::trace::phrase;
 
 use super::difference::{culled, difference};
 use super::edge_cues::EdgeCues;
@@ -27,6 +28,7 @@ const LEAST: f64 = 22.0;
 
 pub(super) const LAYER: Layer = Layer {
     name: "edge-normals",
+    in_words: phrase(["edge-normals", "Kantennormalen", "normales des arêtes", "normales de las aristas"]),
     about: "outward unit normals of the edges of B ⊖ A; muted where the edge faces away from the ray",
     shows: Shows::Configuration,
     tells: Tells::Built,

@@ -1,17 +1,18 @@
 //! A frame around what another panel shows of the same space, enlarged.
 
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, Outline, Pen, Rank, Size, Sketch, Weight};
 use crate::geometry::DVec2;
-
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
+use crate::trace::phrase;
 
 /// Opacity of the frame: it lies over what it shows.
 const QUIET: f64 = 0.6;
 
 pub(super) const LAYER: Layer = Layer {
     name: "enlarged",
+    in_words: phrase(["enlarged", "Rahmen um ein Detail", "cadre d’un détail", "marco de un detalle"]),
     about: "a frame around what another panel shows enlarged",
     shows: Shows::Anywhere,
     tells: Tells::Given,

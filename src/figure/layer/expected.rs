@@ -7,6 +7,7 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Corner, Label, MARKER, Marker, Pen, Rank, Size, Sketch};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
+use crate::trace::phrase;
 
 use super::ghosts::ghost;
 use super::normal::unit_vector;
@@ -14,6 +15,7 @@ use super::{Fed, LabelKey, Layer, Options, Shows, Tells};
 
 pub(super) const LAYER: Layer = Layer {
     name: "expected",
+    in_words: phrase(["expected", "erwartete Antwort", "réponse attendue", "respuesta esperada"]),
     about: "what someone else answered (`[query] expected`), and our normal and closest points beside it",
     shows: Shows::World,
     tells: Tells::Found,

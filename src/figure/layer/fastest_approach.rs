@@ -19,7 +19,7 @@ use crate::figure::sketch::{
 use crate::figure::text::{Quantity, number, parts as written};
 use crate::geometry::{DVec2, Enclosure, Side};
 use crate::scene::When;
-use crate::trace::Event;
+use crate::trace::{Event, phrase};
 
 use super::chart::{Chart, separations};
 use super::kinks;
@@ -39,6 +39,12 @@ const SEEN: f64 = 1e-3;
 
 pub(super) const LAYER: Layer = Layer {
     name: "fastest-approach",
+    in_words: phrase([
+        "fastest-approach",
+        "schnellste Annäherung",
+        "approche la plus rapide",
+        "acercamiento más rápido",
+    ]),
     about: "the most that bodies can come nearer over time, by v·n and by turning, against their distance; \
             in a panel of its own",
     shows: Shows::World,

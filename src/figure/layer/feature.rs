@@ -9,6 +9,7 @@ use crate::figure::sketch::{
 };
 use crate::geometry::{DVec2, Feature, Side, perp};
 use crate::scene::Space;
+use crate::trace::phrase;
 
 use super::difference::{difference, origins};
 use super::half_extents::ON_LINE;
@@ -17,6 +18,7 @@ use super::{Fed, LabelKey, Layer, ONE_OF_SEVERAL, OptionSpec, Options, Shows, Ta
 
 pub(super) const LAYER: Layer = Layer {
     name: "feature",
+    in_words: phrase(["feature", "ein Merkmal", "un élément", "un elemento"]),
     about: "an edge or a vertex, emphasised; by default those that carry the closest points",
     shows: Shows::Anywhere,
     tells: Tells::Given,

@@ -1,13 +1,13 @@
 //! A body's own axes: the frame in which an oriented box is an AABB; and the angle by which it is turned,
 //! from the world's x axis to its own.
 
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, Pen, Rank, Sketch, Weight, angle_of};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
-
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
+use crate::trace::phrase;
 
 /// Drawn length of an axis where the scene does not say, world units.
 const LENGTH: f64 = 1.6;
@@ -20,6 +20,7 @@ const SEEN: f64 = 0.02;
 
 pub(super) const LAYER: Layer = Layer {
     name: "frame",
+    in_words: phrase(["frame", "Bezugssystem eines Körpers", "repère d’un corps", "sistema de un cuerpo"]),
     about: "the axes of a body's own frame",
     shows: Shows::World,
     tells: Tells::Given,

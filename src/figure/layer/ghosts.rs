@@ -10,6 +10,7 @@ use crate::figure::sketch::{
 use crate::figure::text::{Digits, Quantity, in_math, number};
 use crate::geometry::{DVec2, Side};
 use crate::scene::When;
+use crate::trace::phrase;
 
 use super::closest::longer_way;
 use super::difference::difference;
@@ -19,10 +20,8 @@ use super::{Fed, LabelKey, Layer, OptionSpec, Options, STEPS, Shows, Takes, Tell
 
 /// The word for bodies pushed apart by the minimum translation, which is no moment.
 const SEPARATED: &str = "separated";
-
 /// The word for bodies pushed apart by the next longer way out, which is no moment either.
 const RIVAL: &str = "rival";
-
 /// The word for bodies where they are, in a panel that draws them solid where they are pushed to.
 const NOW: &str = "now";
 
@@ -49,6 +48,7 @@ const SERIES: [f64; 2] = [0.5, 0.75];
 
 pub(super) const LAYER: Layer = Layer {
     name: "ghosts",
+    in_words: phrase(["ghosts", "Körper anderswo", "corps ailleurs", "cuerpos en otro lugar"]),
     about: "bodies at another moment or place, dotted",
     shows: Shows::World,
     tells: Tells::Given,

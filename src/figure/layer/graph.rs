@@ -13,7 +13,7 @@ use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Outline, Pen, Rank, S
 use crate::figure::text::number;
 use crate::geometry::DVec2;
 use crate::scene::When;
-use crate::trace::Event;
+use crate::trace::{Event, phrase};
 
 use super::chart::{Chart, floor, separations};
 use super::kinks;
@@ -49,6 +49,12 @@ const VALUE_ASIDE: f64 = 46.0;
 
 pub(super) const LAYER: Layer = Layer {
     name: "graph",
+    in_words: phrase([
+        "graph",
+        "Abstand über der Zeit",
+        "distance en fonction du temps",
+        "separación en el tiempo",
+    ]),
     about: "separation against time, with the steps of an advancement; in a panel of its own",
     shows: Shows::World,
     tells: Tells::Found,

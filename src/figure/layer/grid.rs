@@ -4,6 +4,7 @@ use crate::drawing::{Point, Role};
 use crate::figure::context::Context;
 use crate::figure::sketch::{Pen, Sketch};
 use crate::geometry::DVec2;
+use crate::trace::phrase;
 
 use super::ruler::Ruler;
 use super::{Fed, Layer, OptionSpec, Options, Shows, Takes, Tells};
@@ -18,6 +19,7 @@ pub(super) const STEP: OptionSpec = OptionSpec {
 
 pub(super) const LAYER: Layer = Layer {
     name: "grid",
+    in_words: phrase(["grid", "Gitter", "quadrillage", "cuadrícula"]),
     about: "a quiet grid at round steps of the panel's space, beneath all other layers",
     shows: Shows::Anywhere,
     tells: Tells::Given,

@@ -11,6 +11,7 @@ use crate::figure::sketch::{
     Anchor, LARGE_MARKER, Label, MARKER, Marker, Outline, Pen, Piece, Rank, Size, Sketch, Wash, Weight,
 };
 use crate::geometry::{DVec2, Side};
+use crate::trace::phrase;
 
 use super::closest::{Nearest, leg, nearest};
 use super::difference::{difference, draw_edge};
@@ -24,6 +25,7 @@ const COPIES: usize = 1;
 
 pub(super) const LAYER: Layer = Layer {
     name: "grown",
+    in_words: phrase(["grown", "vergrößerter Körper", "corps agrandi", "cuerpo agrandado"]),
     about: "B as a point, A grown by B's shape",
     shows: Shows::World,
     tells: Tells::Built,

@@ -6,8 +6,8 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, Pen, Sketch, Weight, left_of};
 use crate::figure::text::number;
 use crate::geometry::DVec2;
-use crate::trace::Event;
 use crate::trace::step::bounds;
+use crate::trace::{Event, phrase};
 
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
@@ -33,6 +33,7 @@ pub(super) const GUIDE: f64 = 0.55;
 
 pub(super) const LAYER: Layer = Layer {
     name: "half-extents",
+    in_words: phrase(["half-extents", "halbe Ausdehnungen", "demi-étendues", "semiextensiones"]),
     about: "half-extents of a box, from its centre to its edges, without a radius",
     shows: Shows::World,
     tells: Tells::Found,

@@ -6,6 +6,7 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Rank, Size, Sketch, Weight, angle_of};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
+use crate::trace::phrase;
 
 use super::edge_fan::{Merged, merged};
 use super::half_extents::ON_LINE;
@@ -23,6 +24,7 @@ const TURN: f64 = 60.0;
 
 pub(super) const LAYER: Layer = Layer {
     name: "merging",
+    in_words: phrase(["merging", "Mischen der Kanten", "fusion des arêtes", "fusión de las aristas"]),
     about: "B ⊖ A being built: the edges taken so far, and the next edge of either body",
     shows: Shows::Configuration,
     tells: Tells::Built,

@@ -75,6 +75,7 @@ mod vertices;
 use crate::figure::context::Context;
 use crate::figure::sketch::Sketch;
 use crate::geometry::Side;
+use crate::trace::Phrase;
 
 pub(crate) use fed::Fed;
 pub(super) use grid::lies_beneath;
@@ -116,6 +117,8 @@ pub struct LabelKey {
 pub struct Layer {
     /// The name by which a scene asks for it.
     pub name: &'static str,
+    /// What the long text calls it: in English by its name, elsewhere in words.
+    pub(crate) in_words: Phrase,
     /// What it draws, for `tracefig list`.
     pub about: &'static str,
     /// The panels it can stand in.

@@ -1,13 +1,13 @@
 //! What a naive method claims, beside the answer that is proved: the bodies where it would have them touch.
 
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
 use crate::collision::naive::{Claim, Naive, WORDS, method};
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Rank, Size, Sketch, Wash, Weight};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
-
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
+use crate::trace::phrase;
 
 /// The option that names the method.
 const METHOD: &str = "method";
@@ -20,6 +20,7 @@ const UNSEEN: f64 = 2.0;
 
 pub(super) const LAYER: Layer = Layer {
     name: "naive",
+    in_words: phrase(["naive", "naive Antwort", "réponse naïve", "respuesta ingenua"]),
     about: "what a method claims that looks right and is wrong on some pairs: bodies where it would have \
         them just touch, for a contact in time where it sees it, or at the end",
     shows: Shows::World,

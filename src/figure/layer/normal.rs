@@ -8,6 +8,7 @@ use crate::figure::sketch::{Anchor, Label, Pen, Sketch};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
 use crate::scene::When;
+use crate::trace::phrase;
 
 use super::separation::{NO_EDGE, edges};
 use super::{Fed, LabelKey, Layer, ONE_OF_SEVERAL, OptionSpec, Options, Shows, Takes, Tells};
@@ -22,6 +23,7 @@ const ON_EDGE: f64 = 1e-9;
 
 pub(super) const LAYER: Layer = Layer {
     name: "normal",
+    in_words: phrase(["normal", "Normale", "normale", "normal"]),
     about: "the unit normal from A to B",
     shows: Shows::World,
     tells: Tells::Found,

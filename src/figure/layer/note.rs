@@ -4,8 +4,8 @@ use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::cue::Cue;
 use crate::figure::sketch::{Anchor, Corner, Label, Rank, Size, Sketch};
-use crate::trace::Event;
 use crate::trace::step::advanced;
+use crate::trace::{Event, phrase};
 
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
@@ -14,6 +14,7 @@ const VALUE: &str = "{=";
 
 pub(super) const LAYER: Layer = Layer {
     name: "note",
+    in_words: phrase(["note", "Text", "texte", "texto"]),
     about: "lines of text at a corner",
     shows: Shows::Anywhere,
     tells: Tells::Found,

@@ -1,15 +1,16 @@
 //! The origin O: a dot in a ring. In configuration space it lies inside B ⊖ A exactly when the bodies
 //! overlap.
 
+use super::{Fed, LabelKey, Layer, Options, Shows, Tells};
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Rank, Sketch};
 use crate::geometry::DVec2;
-
-use super::{Fed, LabelKey, Layer, Options, Shows, Tells};
+use crate::trace::phrase;
 
 pub(super) const LAYER: Layer = Layer {
     name: "origin",
+    in_words: phrase(["origin", "Ursprung", "origine", "origen"]),
     about: "the origin of the panel's space: ring, dot, letter O",
     shows: Shows::Anywhere,
     tells: Tells::Given,

@@ -6,12 +6,14 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Rank, Size, Sketch, Weight};
 use crate::geometry::{DVec2, Side};
 use crate::scene::Space;
+use crate::trace::phrase;
 
 use super::coordinates::coordinates;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 pub(super) const LAYER: Layer = Layer {
     name: "pair",
+    in_words: phrase(["pair", "ein Paar von Ecken", "une paire de sommets", "un par de vértices"]),
     about: "the way from a vertex of A to one of B, which from the origin leads to a point of B ⊖ A",
     shows: Shows::Anywhere,
     tells: Tells::Built,

@@ -7,12 +7,14 @@ use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Rank, Sketch, We
 use crate::figure::text::Decimal;
 use crate::geometry::{DVec2, Side};
 use crate::scene::Space;
+use crate::trace::phrase;
 
 use super::coordinates::coordinates;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 pub(super) const LAYER: Layer = Layer {
     name: "point",
+    in_words: phrase(["point", "ein Punkt", "un point", "un punto"]),
     about: "a marked point of your choice, with a text and its coordinates",
     shows: Shows::Anywhere,
     tells: Tells::Given,

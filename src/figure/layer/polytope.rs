@@ -14,7 +14,7 @@ use crate::figure::sketch::{
 };
 use crate::figure::text::{Quantity, number};
 use crate::geometry::{DVec2, perp};
-use crate::trace::Event;
+use crate::trace::{Event, phrase};
 
 use super::coordinates::coordinates;
 use super::cores::{cores, radii, radii_in_words};
@@ -41,6 +41,7 @@ const ASIDE: f64 = 0.4;
 
 pub(super) const LAYER: Layer = Layer {
     name: "polytope",
+    in_words: phrase(["polytope", "Polytop", "polytope", "politopo"]),
     about: "one step of EPA: the polytope, its nearest edge, the vertex beyond it",
     shows: Shows::Configuration,
     tells: Tells::Found,

@@ -13,7 +13,7 @@ use crate::figure::cue::Cue;
 use crate::figure::sketch::{Anchor, Label, Pen, Rank, Size, Sketch};
 use crate::figure::text::{Quantity, terms};
 use crate::geometry::{DVec2, Enclosure, Feature, Side, perp};
-use crate::trace::Event;
+use crate::trace::{Event, phrase};
 
 use super::axis_unit::{LIGHT, light, numbers, on_axis, sees, shadow_of, units, written, zero};
 use super::half_extents::beside;
@@ -38,6 +38,7 @@ const PAST: f64 = 22.0;
 
 pub(super) const LAYER: Layer = Layer {
     name: "projection",
+    in_words: phrase(["projection", "Projektion auf Achse", "projection sur axe", "proyección sobre eje"]),
     about: "both bodies' intervals on one axis of the separating-axis test",
     shows: Shows::World,
     tells: Tells::Found,

@@ -9,7 +9,7 @@ use crate::figure::sketch::{
 };
 use crate::figure::text::{number, whole_and_parts};
 use crate::geometry::{DVec2, Side, perp};
-use crate::trace::Event;
+use crate::trace::{Event, phrase};
 
 use crate::scene::COMPASS;
 
@@ -27,6 +27,7 @@ const FIRST: f64 = 0.75;
 
 pub(super) const LAYER: Layer = Layer {
     name: "radii",
+    in_words: phrase(["radii", "Radien", "rayons", "radios"]),
     about: "radii, as lines in the circles or as lengths under the distance of the centres",
     shows: Shows::World,
     tells: Tells::Given,

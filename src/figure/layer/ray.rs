@@ -11,7 +11,7 @@ use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, MARKER, Marker, Pen, Ra
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
 use crate::scene::When;
-use crate::trace::{Culling, Event};
+use crate::trace::{Culling, Event, phrase};
 
 use super::held;
 use super::velocity::{label_of_hit, text, until_hit};
@@ -19,6 +19,7 @@ use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part
 
 pub(super) const LAYER: Layer = Layer {
     name: "ray",
+    in_words: phrase(["ray", "Strahl", "rayon lancé", "rayo"]),
     about: "the origin's way along the relative velocity, and where it hits",
     shows: Shows::Configuration,
     tells: Tells::Found,

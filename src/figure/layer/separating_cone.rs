@@ -20,6 +20,7 @@ use crate::figure::sketch::{
 };
 use crate::figure::text::number;
 use crate::geometry::{DVec2, perp};
+use crate::trace::phrase;
 
 use super::difference::difference;
 use super::half_extents::beside;
@@ -82,6 +83,12 @@ const PARTS: [&str; 4] = ["line", "cone", "n_1", "n_2"];
 
 pub(super) const LAYER: Layer = Layer {
     name: "separating-cone",
+    in_words: phrase([
+        "separating-cone",
+        "trennende Richtungen",
+        "directions séparatrices",
+        "direcciones separadoras",
+    ]),
     about: "the directions that separate the bodies: tangents from O to B ⊖ A, the cone of normals",
     shows: Shows::Configuration,
     tells: Tells::Found,

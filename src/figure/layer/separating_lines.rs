@@ -20,6 +20,7 @@ use crate::figure::sketch::{
     on_circle,
 };
 use crate::geometry::{DVec2, Side, perp};
+use crate::trace::phrase;
 
 use super::separating_cone::{Cone, FILL, NAMES, PAST, TANGENT, TURNED, cone, fitting_radius, right_angle};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
@@ -35,6 +36,7 @@ const PARTS: [&str; 2] = ["line", "cone"];
 
 pub(super) const LAYER: Layer = Layer {
     name: "separating-lines",
+    in_words: phrase(["separating-lines", "trennende Geraden", "droites séparatrices", "rectas separadoras"]),
     about: "the lines between the bodies that touch both, with the cone of directions that separate them",
     shows: Shows::World,
     tells: Tells::Found,

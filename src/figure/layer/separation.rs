@@ -13,7 +13,7 @@ use crate::figure::runs::Run;
 use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Size, Sketch, Weight, left_of};
 use crate::figure::text::{Quantity, asked_distance, distance_or_depth};
 use crate::geometry::{DVec2, Feature, Side, perp};
-use crate::trace::Event;
+use crate::trace::{Event, phrase};
 
 use crate::scene::When;
 
@@ -40,6 +40,7 @@ pub(super) const NO_EDGE: &str = "neither closest point is on an edge that faces
 
 pub(super) const LAYER: Layer = Layer {
     name: "separation",
+    in_words: phrase(["separation", "Abstand", "distance", "separación"]),
     about: "the distance or depth between the closest points",
     shows: Shows::World,
     tells: Tells::Found,

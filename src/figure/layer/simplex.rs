@@ -12,7 +12,7 @@ use crate::figure::sketch::{
 };
 use crate::figure::text::{number, whole_and_parts};
 use crate::geometry::{DVec2, perp};
-use crate::trace::Event;
+use crate::trace::{Event, phrase};
 
 use super::coordinates::coordinates;
 use super::cores::{cores, radii, radii_in_words};
@@ -37,6 +37,7 @@ const ON_LINE: f64 = 1e-9;
 
 pub(super) const LAYER: Layer = Layer {
     name: "simplex",
+    in_words: phrase(["simplex", "Simplex", "simplexe", "símplex"]),
     about: "one step of GJK or EPA: the simplex, its closest point, the next vertex",
     shows: Shows::Configuration,
     tells: Tells::Found,
@@ -70,10 +71,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "closest", about: "the point of the simplex closest to the origin" },
         LabelKey { key: "search", about: "the direction −v in which the next vertex is searched" },
         LabelKey { key: "w", about: "the vertex that comes next" },
-        LabelKey {
-            key: "vertex",
-            about: "the vertex that the search begins with, with coordinates; each, with numbers",
-        },
+        LabelKey { key: "vertex", about: "the first vertex, with coordinates; each, with numbers" },
         LabelKey { key: "least", about: "the supporting line's distance from the origin, with values" },
         LabelKey { key: "dropped", about: "a vertex of the step before that is no longer needed" },
         LabelKey { key: "stop", about: "that no vertex is farther, where the search ends" },

@@ -2,13 +2,13 @@
 
 use std::f64::consts::{PI, TAU};
 
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, Marker, Pen, SMALL_MARKER, Sketch, angle_of};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
-
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
+use crate::trace::phrase;
 
 /// Radius of the arrow where the scene does not say, world units.
 const RADIUS: f64 = 0.6;
@@ -22,6 +22,7 @@ const SWEEP: f64 = 0.6 * TAU;
 
 pub(super) const LAYER: Layer = Layer {
     name: "spin",
+    in_words: phrase(["spin", "Drehung", "rotation", "giro"]),
     about: "an arc arrow for the angular velocity",
     shows: Shows::World,
     tells: Tells::Given,

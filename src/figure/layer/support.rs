@@ -9,7 +9,7 @@ use crate::figure::sketch::{
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Feature, Side};
 use crate::scene::Space;
-use crate::trace::{Event, SupportVertex};
+use crate::trace::{Event, SupportVertex, phrase};
 
 use super::difference::{difference, draw_edge};
 use super::half_extents::ON_LINE;
@@ -24,6 +24,7 @@ const NO_EDGE: &str = "the bodies are closest at a vertex of each, so that no ed
 
 pub(super) const LAYER: Layer = Layer {
     name: "support",
+    in_words: phrase(["support", "Stützecken", "sommets d’appui", "vértices de soporte"]),
     about: "all supporting vertices of the nearest edge; in configuration space, where its two parts join",
     shows: Shows::Anywhere,
     tells: Tells::Found,

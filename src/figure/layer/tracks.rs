@@ -1,14 +1,20 @@
 //! The paths of the two points that touch, from t = 0 to the hit: rarely the points that are closest at the
 //! start. Each is marked where it is at the panel's moment.
 
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, Marker, Pen, Rank, Sketch};
 use crate::geometry::{DVec2, Side};
-
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
+use crate::trace::phrase;
 
 pub(super) const LAYER: Layer = Layer {
     name: "tracks",
+    in_words: phrase([
+        "tracks",
+        "Wege der Berührpunkte",
+        "trajets des points de contact",
+        "caminos de los puntos de contacto",
+    ]),
     about: "paths of the two points that touch at the hit, from the start until then",
     shows: Shows::World,
     tells: Tells::Found,

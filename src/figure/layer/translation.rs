@@ -7,12 +7,13 @@ use crate::figure::context::Context;
 use crate::figure::runs::{Run, is_touch};
 use crate::figure::sketch::{Anchor, Label, Pen, Sketch};
 use crate::geometry::Side;
-use crate::trace::Event;
+use crate::trace::{Event, phrase};
 
 use super::{Fed, LabelKey, Layer, Options, Shows, Tells};
 
 pub(super) const LAYER: Layer = Layer {
     name: "translation",
+    in_words: phrase(["translation", "kürzester Schub", "poussée la plus courte", "empuje más corto"]),
     about: "the minimum translation of B from its centre",
     shows: Shows::World,
     tells: Tells::Found,

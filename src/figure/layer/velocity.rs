@@ -11,6 +11,7 @@ use crate::figure::sketch::{Anchor, Label, Outline, Pen, Rank, Sketch};
 use crate::figure::text::{Quantity, number};
 use crate::geometry::{Body, DVec2, Enclosure, Side};
 use crate::scene::{Space, When};
+use crate::trace::phrase;
 
 use super::held;
 use super::normal::scaled;
@@ -18,6 +19,7 @@ use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 pub(super) const LAYER: Layer = Layer {
     name: "velocity",
+    in_words: phrase(["velocity", "Geschwindigkeit", "vitesse", "velocidad"]),
     about: "velocities; the relative one in configuration space",
     shows: Shows::Anywhere,
     tells: Tells::Given,

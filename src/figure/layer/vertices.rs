@@ -7,6 +7,7 @@ use crate::figure::difference::Difference;
 use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Rank, SMALL_MARKER, Size, Sketch};
 use crate::geometry::{DVec2, Side};
 use crate::scene::Space;
+use crate::trace::phrase;
 
 use super::coordinates::coordinates;
 use super::difference::{Origin, difference, origins};
@@ -14,6 +15,7 @@ use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part
 
 pub(super) const LAYER: Layer = Layer {
     name: "vertices",
+    in_words: phrase(["vertices", "Ecken", "sommets", "vértices"]),
     about: "the vertices with their numbers or coordinates; in configuration space those of B ⊖ A",
     shows: Shows::Anywhere,
     tells: Tells::Given,
