@@ -370,4 +370,15 @@ mod tests {
         // A comes near once.
         assert!(moved <= 1, "{moved}");
     }
+
+    #[test]
+    fn a_text_of_the_figure_that_tells_the_moment_is_said_to_stand_still() {
+        let panels = "{ time = 'hit', view = [-2, -2, 8, 2], layers = ['shapes'] }";
+        for (text, notes) in [("Now {=moment}.", 1), ("Apart by {=d}.", 0)] {
+            let text = format!("headline = '{text}'\n{}", discs(SWEEP, panels));
+            let (figure, _) = played(&text, 6);
+            let said = |problem: &&Problem| matches!(problem.fault, Fault::StillText { what: "headline" });
+            assert_eq!(figure.warnings.iter().filter(said).count(), notes, "{text}");
+        }
+    }
 }

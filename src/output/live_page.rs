@@ -216,4 +216,15 @@ mod tests {
         assert!(page.contains("<script src=\"../tracefig-live.js\"></script>"));
         assert!(!page.contains("sha256-") && page.len() < 20_000 + searchable(&everything(), None).len());
     }
+
+    #[test]
+    fn the_words_of_a_page_are_those_of_its_language() {
+        let mut drawing = everything();
+        for (lang, said) in
+            [(None, "Description"), (Some("de-AT"), "Beschreibung"), (Some("pl"), "Description")]
+        {
+            drawing.lang = lang.map(str::to_owned);
+            assert!(page(&drawing, &ALONE).contains(&format!("<summary>{said}<")), "{lang:?}");
+        }
+    }
 }
