@@ -69,7 +69,7 @@ pub fn live_runtime(module: &[u8]) -> String {
 
 /// What the way to the list and the long text are called, in each language of which we have words; the first
 /// is for all others.
-const WORDS: [(&str, [&str; 2]); 4] = [
+const WORDS: [(&str, [&str; 2]); page::LANGUAGES] = [
     (Drawing::OWN_LANG, ["All figures", "Description"]),
     ("de", ["Alle Figuren", "Beschreibung"]),
     ("fr", ["Toutes les figures", "Description"]),
@@ -100,7 +100,7 @@ pub(super) fn write(drawing: &Drawing, page: &LivePage<'_>) -> Result<Vec<u8>, O
     if let Some(index) = page.index {
         out.push_str("<nav><a href=\"");
         escape(&mut out, index);
-        let _ = writeln!(out, "\">{}</a></nav>", words(drawing)[0]);
+        let _ = writeln!(out, "\">{}</a></nav>", page::in_language(drawing, &WORDS)[0]);
     }
     out.push_str("<main>\n<h1>");
     escape(&mut out, page.heading);
@@ -123,18 +123,15 @@ pub(super) fn write(drawing: &Drawing, page: &LivePage<'_>) -> Result<Vec<u8>, O
     Ok(out.into_bytes())
 }
 
-/// What the way to the list and the long text are called in the language of a drawing.
-fn words(drawing: &Drawing) -> [&'static str; 2] {
-    let of = drawing.lang.as_deref().and_then(|lang| lang.split('-').next()).unwrap_or_default();
-    let own = WORDS.iter().find(|(lang, _)| lang.eq_ignore_ascii_case(of));
-    own.unwrap_or(&WORDS[0]).1
-}
-
 /// The figure with what the script needs of it.
 fn push_figure(out: &mut String, drawing: &Drawing, request: &str) {
     out.push_str("<div class=\"tracefig-live\">\n<figure>");
     out.push_str(searchable(drawing, None).trim_end());
-    let _ = write!(out, "</figure>\n<details class=\"words\"><summary>{}</summary>", words(drawing)[1]);
+    let _ = write!(
+        out,
+        "</figure>\n<details class=\"words\"><summary>{}</summary>",
+        page::in_language(drawing, &WORDS)[1]
+    );
     let [_, of_desc] = drawing.languages_of_words();
     page::open(out, "p", of_desc);
     page::push_words(out, &drawing.desc);

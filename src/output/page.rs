@@ -10,6 +10,9 @@ use crate::drawing::Drawing;
 /// that became markup could load and run nothing.
 pub(super) const NO_SCRIPT: &str = "";
 
+/// Languages of which we have words.
+pub(super) const LANGUAGES: usize = 4;
+
 /// Style sheet of the page around the picture: that may shrink to a narrow window but not grow.
 const STYLE: &str = "body{margin:0 auto;padding:1rem;font:1rem/1.5 system-ui,sans-serif}\
                      figure{margin:0}svg{max-width:100%;height:auto}figcaption{max-width:45rem}";
@@ -30,6 +33,12 @@ pub(super) fn head(drawing: &Drawing, scripts: &str) -> String {
     out.push_str("</title>\n<style>");
     let _ = write!(out, "{STYLE}{}", colored(drawing));
     out
+}
+
+/// What a table has for the language of a drawing; its first row is for all others.
+pub(super) fn in_language<T: Copy>(drawing: &Drawing, table: &[(&str, T); LANGUAGES]) -> T {
+    let of = drawing.lang.as_deref().and_then(|lang| lang.split('-').next()).unwrap_or_default();
+    table.iter().find(|(lang, _)| lang.eq_ignore_ascii_case(of)).unwrap_or(&table[0]).1
 }
 
 /// The start of an element, with its language where that is not the page's.

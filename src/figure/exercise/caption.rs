@@ -56,13 +56,13 @@ fn of_a_sheet(scene: &Scene) -> Option<&Exercise> {
 fn check(scene: &Scene, runs: &Runs, exercise: &Exercise, problems: &mut Vec<Problem>) {
     let kind = scene.query.kind;
     for name in exercise.ask.iter().filter(|name| askable(&name.value, kind).is_none()) {
-        let known = all().filter(|row| (row.of)(kind)).map(|row| row.name.to_owned()).collect();
         if values().any(|(value, _)| value == name.value) {
             let message = format!("`{}` is a value of texts, and none that an exercise asks for", name.value);
             let help = format!("ask for what is to be found: {}", there(scene, runs));
             problems.push(Problem::new(scene::Fault::Conflict { message, help }.into(), name.span.clone()));
             continue;
         }
+        let known = all().filter(|row| (row.of)(kind)).map(|row| row.name.to_owned()).collect();
         let fault = scene::Fault::UnknownWord { what: "value to ask for", got: name.value.clone(), known };
         problems.push(Problem::new(fault.into(), name.span.clone()));
     }

@@ -3,7 +3,6 @@
 //! In configuration space, where bodies that do not turn leave B ⊖ A as it is, the same is the way from the
 //! origin's place on the ray to the nearest point of B ⊖ A.
 
-use super::{Fed, LabelKey, Layer, ONE_OF_SEVERAL, Options, Shows, Tells, ghosts};
 use crate::drawing::Role;
 use crate::figure::again::Nearest;
 use crate::figure::context::{Approach, Context};
@@ -12,6 +11,8 @@ use crate::figure::text::{Quantity, number};
 use crate::geometry::{DVec2, Side};
 use crate::scene::{Space, When};
 use crate::trace::phrase;
+
+use super::{Fed, LabelKey, Layer, ONE_OF_SEVERAL, Options, Shows, Tells, ghosts};
 
 /// Why a panel of configuration space has no closest approach, where a body turns.
 const ANOTHER_DIFFERENCE: &str = "the bodies turn, and B ⊖ A is another one at their closest";

@@ -1,12 +1,13 @@
 //! The point where the bodies touch at the hit.
 
-use super::{Fed, LabelKey, Layer, Options, Shows, Tells};
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Sketch};
 use crate::figure::touching::{Touching, touching};
 use crate::geometry::Side;
 use crate::trace::phrase;
+
+use super::{Fed, LabelKey, Layer, Options, Shows, Tells};
 
 pub(super) const LAYER: Layer = Layer {
     name: "contact",

@@ -1,11 +1,12 @@
 //! A frame around what another panel shows of the same space, enlarged.
 
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, Outline, Pen, Rank, Size, Sketch, Weight};
 use crate::geometry::DVec2;
 use crate::trace::phrase;
+
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 /// Opacity of the frame: it lies over what it shows.
 const QUIET: f64 = 0.6;

@@ -4,8 +4,9 @@
 //! layer of the contact has nothing to draw; that is no mistake in the scene. A layer that no answer could
 //! ever feed is one.
 
-use super::Options;
 use crate::figure::context::Context;
+
+use super::Options;
 
 /// Whether a layer finds what it draws at its panel's moment.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

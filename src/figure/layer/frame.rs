@@ -1,13 +1,14 @@
 //! A body's own axes: the frame in which an oriented box is an AABB; and the angle by which it is turned,
 //! from the world's x axis to its own.
 
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, Pen, Rank, Sketch, Weight, angle_of};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
 use crate::trace::phrase;
+
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
 
 /// Drawn length of an axis where the scene does not say, world units.
 const LENGTH: f64 = 1.6;

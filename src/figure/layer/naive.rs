@@ -1,6 +1,5 @@
 //! What a naive method claims, beside the answer that is proved: the bodies where it would have them touch.
 
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
 use crate::collision::naive::{Claim, Naive, WORDS, method};
 use crate::drawing::Role;
 use crate::figure::context::Context;
@@ -8,6 +7,8 @@ use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Rank, Size, Sket
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
 use crate::trace::phrase;
+
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
 
 /// The option that names the method.
 const METHOD: &str = "method";

@@ -1,12 +1,13 @@
 //! The origin O: a dot in a ring. In configuration space it lies inside B ⊖ A exactly when the bodies
 //! overlap.
 
-use super::{Fed, LabelKey, Layer, Options, Shows, Tells};
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Rank, Sketch};
 use crate::geometry::DVec2;
 use crate::trace::phrase;
+
+use super::{Fed, LabelKey, Layer, Options, Shows, Tells};
 
 pub(super) const LAYER: Layer = Layer {
     name: "origin",

@@ -3,13 +3,14 @@
 //! Bodies that the query is not about are context: muted, under the others, and named where they are in view.
 //! Those that would make the pair small do not count for the fit of the view.
 
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
-use super::{ghosts, held};
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Outline, Pen, Rank, Size, Sketch, Wash, Weight};
 use crate::geometry::{DVec2, Side};
 use crate::trace::phrase;
+
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
+use super::{ghosts, held};
 
 /// Opacity of the fill of context.
 const FAINT: f64 = 0.08;

@@ -5,12 +5,13 @@
 //! edges that lead from one place to the other are the tangents of the cores; moved out by the radius, those
 //! of the bodies.
 
-use super::{Fed, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
 use crate::figure::context::Context;
 use crate::figure::sketch::{Outline, Pen, Sketch, Wash, Weight};
 use crate::geometry::{Body, DVec2, Side, sort_by};
 use crate::scene::When;
 use crate::trace::phrase;
+
+use super::{Fed, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
 
 /// Opacity of the band's fill: a quiet ground for the bodies on it.
 const FAINT: f64 = 0.07;

@@ -1,11 +1,12 @@
 //! The paths of the two points that touch, from t = 0 to the hit: rarely the points that are closest at the
 //! start. Each is marked where it is at the panel's moment.
 
-use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, Marker, Pen, Rank, Sketch};
 use crate::geometry::{DVec2, Side};
 use crate::trace::phrase;
+
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
 
 pub(super) const LAYER: Layer = Layer {
     name: "tracks",

@@ -24,20 +24,12 @@ const SCRIPT: &str = include_str!("stepper.js");
 const BUTTONS: [(i32, &str); 2] = [(-1, "◀"), (1, "▶")];
 /// What the buttons and the list are called, in each language of which we have words; the first is for all
 /// others.
-const WORDS: [(&str, [&str; 2], &str); 4] = [
-    (Drawing::OWN_LANG, ["Step back", "Next step"], "Steps"),
-    ("de", ["Schritt zurück", "Nächster Schritt"], "Schritte"),
-    ("fr", ["Étape précédente", "Étape suivante"], "Étapes"),
-    ("es", ["Paso anterior", "Paso siguiente"], "Pasos"),
+const WORDS: [(&str, ([&str; 2], &str)); page::LANGUAGES] = [
+    (Drawing::OWN_LANG, (["Step back", "Next step"], "Steps")),
+    ("de", (["Schritt zurück", "Nächster Schritt"], "Schritte")),
+    ("fr", (["Étape précédente", "Étape suivante"], "Étapes")),
+    ("es", (["Paso anterior", "Paso siguiente"], "Pasos")),
 ];
-
-/// What the buttons and the list are called in the language of a drawing.
-fn words(drawing: &Drawing) -> ([&'static str; 2], &'static str) {
-    let of = drawing.lang.as_deref().and_then(|lang| lang.split('-').next()).unwrap_or_default();
-    let own = WORDS.iter().find(|(lang, ..)| lang.eq_ignore_ascii_case(of));
-    let &(_, buttons, list) = own.unwrap_or(&WORDS[0]);
-    (buttons, list)
-}
 
 /// Writes the page.
 pub(super) fn write(drawing: &Drawing, _: &Options, in_steps: InSteps) -> Result<Vec<u8>, OutputError> {
@@ -53,7 +45,7 @@ pub(super) fn write(drawing: &Drawing, _: &Options, in_steps: InSteps) -> Result
     escape(&mut out, &drawing.title);
     out.push_str("</h1>\n<figure>\n");
     out.push_str(&searchable(drawing, Some(in_steps)));
-    let (names, list) = words(drawing);
+    let (names, list) = page::in_language(drawing, &WORDS);
     let _ = write!(out, "</figure>\n<nav hidden aria-label=\"{list}\">");
     for ((by, sign), name) in BUTTONS.into_iter().zip(names) {
         let _ = write!(out, "<button type=\"button\" value=\"{by}\" aria-label=\"{name}\">{sign}</button>");
@@ -64,7 +56,7 @@ pub(super) fn write(drawing: &Drawing, _: &Options, in_steps: InSteps) -> Result
         let on = if number == last { " checked" } else { "" };
         let _ = write!(out, "<li id=\"step-{number}\"><label><input type=\"radio\" name=\"step\" ");
         let _ = write!(out, "value=\"{number}\"{on}> ");
-        escape(&mut out, &step.title);
+        page::push_words(&mut out, &step.title);
         out.push_str("<span>");
         page::push_words(&mut out, &step.sentences.join(" "));
         out.push_str("</span></label></li>\n");

@@ -320,7 +320,7 @@ fn turns(a: &Body, b: &Body, t: f64) -> (Turn, Turn) {
     }
 }
 
-/// A scale that does not carry positions out of the range of doubles: 1 if this one would.
+/// A scale, or the largest power of two that does not carry positions out of the range of doubles.
 pub(crate) fn fitting(a: &Body, b: &Body, scale: f64) -> f64 {
     let far = |body: &Body| body.position.abs().max(body.velocity.abs()).max_element();
     let (_, exponent) = libm::frexp(far(a).max(far(b)));
