@@ -181,8 +181,14 @@ fn app() -> clap::Command {
         .arg_required_else_help(true);
     COMMANDS.iter().fold(app, |app, command| {
         let parser = clap::Command::new(command.name).after_help(command.manual.below_help());
-        app.subcommand((command.args)(parser).about(command.about))
+        app.subcommand((command.args)(parser).about(command.about).mut_args(signed))
     })
+}
+
+/// Lets an option take a number below 0: then it can say what it takes instead.
+fn signed(arg: clap::Arg) -> clap::Arg {
+    let takes = arg.get_long().is_some() && arg.get_action().takes_values();
+    arg.allow_negative_numbers(takes)
 }
 
 /// Runs the command line of this process.

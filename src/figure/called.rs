@@ -83,7 +83,7 @@ impl Called {
     pub(crate) fn names(&self, scene: &Scene) -> Names {
         let words = |side| self.side(scene, side).in_words();
         let b = (scene.query.of.len() > 1).then(|| words(Side::B));
-        Names::new(&words(Side::A), b.as_deref()).of_circles(scene.circles())
+        scene.known(Names::new(&words(Side::A), b.as_deref()))
     }
 
     /// The names on the picture that others stand for.

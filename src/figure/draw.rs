@@ -96,7 +96,9 @@ impl Figure {
 /// ```
 #[must_use]
 pub fn draw(plan: &Plan, theme: &Theme, id: &str) -> Figure {
-    let figure = draw_in_steps(plan, theme, id);
+    let mut figure = draw_in_steps(plan, theme, id);
+    // A still picture has no steps.
+    figure.warnings.retain(|problem| !matches!(problem.fault, Fault::NoStepLeft { .. }));
     Figure { drawing: figure.drawing.finished(), ..figure }
 }
 
@@ -188,7 +190,7 @@ pub(crate) fn draw_unjudged(plan: &Plan, theme: &Theme, id: &str, before: Option
         words: shaded(side),
         fill_opacity: side.fill_opacity,
     });
-    let steps = numbered(&mut items, &scopes, (plan.scene, &plan.runs));
+    let (steps, note) = numbered(&mut items, &scopes, (plan.scene, &plan.runs));
     if let Some(caption) = items.last_mut().filter(|_| plan.caption.is_answer) {
         caption.for_each_shown(&|shown| shown.since = steps.len().max(1));
     }
@@ -212,7 +214,8 @@ pub(crate) fn draw_unjudged(plan: &Plan, theme: &Theme, id: &str, before: Option
         steps,
         motion: Vec::new(),
     };
-    Figure { drawing, panels, insets, handles, warnings: plan.warnings.clone(), share }
+    let warnings = plan.warnings.iter().cloned().chain(note).collect();
+    Figure { drawing, panels, insets, handles, warnings, share }
 }
 
 /// All panels of a figure, drawn.

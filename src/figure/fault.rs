@@ -67,6 +67,11 @@ pub enum Fault {
         /// Which text, as "headline".
         what: &'static str,
     },
+    /// A note: the scene has words for more steps than the figure has.
+    NoStepLeft {
+        /// How many it has.
+        count: usize,
+    },
     /// A warning: the list of a panel's layers is empty, and so is the panel.
     NoLayers,
     /// A note: an option of a layer has nothing to draw here, though the layer has.
@@ -192,6 +197,7 @@ impl Fault {
             | Self::NothingForOption { .. }
             | Self::NothingPlays { .. }
             | Self::StillText { .. }
+            | Self::NoStepLeft { .. }
             | Self::OutOfView { .. }
             | Self::BadName { .. }
             | Self::NoValue { .. } => Severity::Note,
@@ -216,6 +222,7 @@ impl Explain for Fault {
             | Self::NothingForOption { .. }
             | Self::NoValue { .. } => codes::NOT_IN_ANSWER.code,
             Self::NothingPlays { .. } | Self::StillText { .. } => codes::NOTHING_PLAYS.code,
+            Self::NoStepLeft { .. } => codes::NO_STEP_LEFT.code,
             Self::OutOfView { .. } => codes::OUT_OF_VIEW.code,
             Self::NoLayers => codes::NO_LAYERS.code,
             Self::EmptyView { .. } => codes::EMPTY_VIEW.code,
@@ -249,6 +256,7 @@ impl Explain for Fault {
             Self::EmptyView { .. } => Some("without the key `view` it shows all of it".to_owned()),
             Self::NothingPlays { .. } => Some("it is drawn as it stands".to_owned()),
             Self::StillText { .. } => Some("the `caption` or `title` of a panel plays".to_owned()),
+            Self::NoStepLeft { .. } => Some("`until` counts the figure's own steps, from 1".to_owned()),
             Self::OutOfView { .. } => {
                 Some("a panel's `view = [x0, y0, x1, y1]` reaches as far as it says".to_owned())
             }
@@ -333,6 +341,9 @@ impl fmt::Display for Fault {
             Self::NothingPlays { why } => write!(f, "nothing plays: {why}"),
             Self::StillText { what } => {
                 write!(f, "the `{what}` of the figure stands still while panels play, and tells a moment")
+            }
+            Self::NoStepLeft { count } => {
+                write!(f, "no step is left for these words: the figure has {count}")
             }
             Self::OutOfView { name } => {
                 write!(f, "`{name}` is not on the picture: it is far from the bodies of the query")

@@ -60,6 +60,7 @@ mod steps;
 mod text;
 mod texts;
 pub mod theme;
+mod told_cue;
 mod tongue;
 mod touching;
 mod unnamed;

@@ -44,6 +44,8 @@ pub(crate) struct PanelPlan<'s> {
     /// What it shows besides what it draws, its smallest and largest coordinates: where bodies are on their
     /// way in a figure that plays.
     pub(crate) reach: Extent,
+    /// Whether it is drawn for its steps: its labels then keep off what comes and goes with those.
+    pub(crate) in_steps: bool,
     /// The moment, in [0, 1], that other panels show while this one stands still, in a figure that plays.
     pub(crate) now: Option<f64>,
 }
@@ -168,7 +170,8 @@ impl PanelPlan<'_> {
 
     /// What every layer draws in a panel.
     fn drawn<'f>(&self, sketch: Sketch<'f>, context: &Context) -> Sketch<'f> {
-        let mut sketch = sketch.of_layers(self.layers.iter().map(|planned| planned.layer.name));
+        let sketch = sketch.of_layers(self.layers.iter().map(|planned| planned.layer.name));
+        let mut sketch = sketch.in_steps(self.in_steps);
         for planned in &self.layers {
             if sketch.is_full() {
                 break;

@@ -122,6 +122,7 @@ impl<'r, 's> Resolver<'r, 's> {
             caption_words,
             frame,
             reach: None,
+            in_steps: false,
             now: None,
         })
     }

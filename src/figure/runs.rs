@@ -9,9 +9,9 @@ use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::collision::{
-    ALGORITHMS, Algorithm, Answer, Impact, Outcome, Overlap, Query, QueryKind, Reason, Separation, scale_of,
+    ALGORITHMS, Algorithm, Answer, Impact, Outcome, Overlap, Query, QueryKind, Reason, Separation,
 };
-use crate::geometry::{Body, Enclosure, Feature, Side};
+use crate::geometry::{Enclosure, Feature, Side};
 use crate::scene::{Problem, Scene, Variant};
 use crate::trace::{Event, MOST_EVENTS, Trace, step};
 
@@ -21,11 +21,7 @@ use super::cue::{Cue, Teller};
 use super::distances::Distances;
 use super::limits::{MAX_RUNS, within};
 use super::question::is_of_a_moment;
-
-/// The share of the size of a pair below which a gap at the first contact is none: that moment is known to
-/// its bounds, and nothing parts the bodies there. A wider one is what the tolerance of a search leaves, and
-/// is told as it is drawn. A millionth of the pair is a thousandth of a pixel.
-const TOUCHING: f64 = 1e-6;
+use super::touching::touch;
 
 /// An answer to a query, and how it was found.
 #[derive(Debug)]
@@ -44,6 +40,9 @@ pub(crate) struct Run {
     algorithm: &'static str,
     /// Whose story it is.
     teller: Teller,
+    /// The end of the scene's own run about the same moment, of a run that answers another question: with
+    /// that comes what this one found.
+    beside: Option<Cue>,
     /// Which of the events the figure shows, by their place in the trace.
     shown: Mutex<BTreeSet<usize>>,
     /// How often the bodies are as near as at their closest, of a miss.
@@ -65,7 +64,7 @@ impl Run {
         };
         let (moments, algorithm, shown) = (Vec::new(), "", Mutex::default());
         let (trace, teller, often) = (Trace::default(), Teller::Own, Often::default());
-        Self { kind, time, answer, trace, moments, algorithm, teller, shown, often }
+        Self { kind, time, answer, trace, moments, algorithm, teller, beside: None, shown, often }
     }
 
     /// The separation that it answers with: that of the question, or the contact of a hit.
@@ -157,6 +156,9 @@ impl Run {
     /// whole, a step of an advancement by itself, and all else with the answer.
     fn cue(&self, index: usize) -> Cue {
         let events = &self.trace.events;
+        if let Some(end) = self.beside.filter(|_| !events.get(index).is_some_and(tells_difference)) {
+            return end;
+        }
         let event = match events.get(index) {
             _ if self.teller == Teller::Own => index,
             Some(Event::Advanced { .. }) => index,
@@ -307,10 +309,18 @@ impl Runs {
         }
     }
 
+    /// The end of the scene's own run about the moment of a query that is another one than the scene's; `None`
+    /// where the scene asks about a motion.
+    fn end_beside(&self, scene: &Scene, query: &Query) -> Option<Cue> {
+        let is_beside = !self.is_blind && query.kind != scene.query.kind && is_of_a_moment(scene.query.kind);
+        is_beside.then(|| self.own(scene, query.time).end())
+    }
+
     /// The run of a query by an algorithm: an earlier one where it was asked before.
     fn run(&self, scene: &Scene, algorithm: &'static Algorithm, query: &Query) -> Arc<Run> {
         let contact = self.is_contact(scene, query);
         let key = (query.kind, algorithm.name, query.time.to_bits(), query.max_iterations);
+        let beside = self.end_beside(scene, query);
         let mut done = self.done.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some((_, run)) = done.iter().find(|(k, _)| *k == key) {
             return Arc::clone(run);
@@ -330,24 +340,11 @@ impl Runs {
         let (algorithm, teller) = (algorithm.name, teller(scene, algorithm, query));
         let moments = moments(query.time, &trace, &answer);
         let (kind, time) = (query.kind, query.time);
-        let run = Arc::new(Run { kind, time, answer, trace, moments, algorithm, teller, shown, often });
+        let run =
+            Arc::new(Run { kind, time, answer, trace, moments, algorithm, teller, beside, shown, often });
         done.push((key, Arc::clone(&run)));
         run
     }
-}
-
-/// Lets bodies touch whose separation is none but for rounding.
-fn touch(answer: &mut Answer, query: &Query) {
-    let Answer::Separation(found) = answer else { return };
-    if query.b.is_some_and(|b| is_touch(found, query.a, b)) {
-        (found.separation, found.bounds) = (0.0, Enclosure { lo: 0.0, hi: 0.0 });
-    }
-}
-
-/// Whether the separation of two bodies is none but for rounding.
-pub(crate) fn is_touch(found: &Separation, a: &Body, b: &Body) -> bool {
-    let Enclosure { lo, hi } = found.bounds;
-    lo.abs().max(hi.abs()) <= TOUCHING * scale_of(a, b)
 }
 
 /// The moments that the events of a run are about, which was asked about the moment `asked`: that of the last

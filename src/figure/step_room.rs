@@ -7,6 +7,7 @@ use crate::geometry::DVec2;
 
 use super::fault::Problem;
 use super::frame::{Extent, Frame, union};
+use super::kept::Kept;
 use super::plan::Plan;
 use super::view;
 
@@ -39,6 +40,9 @@ impl Plan<'_> {
     /// assert!(scale(plan(&scene).unwrap().with_room_for_steps().unwrap()) < scale(plan(&scene).unwrap()));
     /// ```
     pub fn with_room_for_steps(mut self) -> Result<Self, Vec<Problem>> {
+        // What the plan keeps was drawn for the finished figure.
+        self.kept = Kept::default();
+        self.panels.iter_mut().for_each(|panel| panel.in_steps = true);
         for _ in 0..PASSES {
             let one = |problem: crate::scene::Problem| vec![problem.into()];
             let sketched = view::sketch(self.scene, &self.runs, self.theme, &self.panels).map_err(one)?;
@@ -109,6 +113,38 @@ mod tests {
         let still = plan(&scene).unwrap();
         assert!(!is_whole(&still));
         assert!(is_whole(&still.with_room_for_steps().unwrap()));
+    }
+
+    #[test]
+    fn in_steps_labels_keep_off_what_a_later_step_takes_away() {
+        // The name of B ⊖ A would stand on the edge that the search takes first.
+        let text = "shapes.Caisse = { kind = 'box', half_extents = [1.4, 0.5], angle_deg = 33 }
+            shapes.Tonneau = { kind = 'polygon', position = [0.7, 0.9],
+                vertices = [[-0.8, -0.3], [0.2, -0.9], [1, 0.1], [0.3, 0.9], [-0.6, 0.7]] }
+            query = { kind = 'separation', of = ['Caisse', 'Tonneau'], algorithm = 'gjk' }";
+        let scene = open_text("s", text).unwrap().scene;
+        let crossed = |plan: &crate::figure::Plan| {
+            let figure = draw_in_steps(plan, plan.theme, "f");
+            let passing = passing(&figure.drawing.items);
+            let boxes = figure.panels.iter().flat_map(|panel| &panel.placed).map(|label| label.bounds);
+            boxes.filter(|bounds| passing.iter().any(|line| bounds.intersection(*line).is_some())).count()
+        };
+        let still = plan(&scene).unwrap();
+        assert!(crossed(&still) > 0);
+        assert_eq!(crossed(&still.with_room_for_steps().unwrap()), 0);
+    }
+
+    /// The boxes of short lines that a later step takes away.
+    fn passing(items: &[Item]) -> Vec<Rect> {
+        let of = |item: &Item| match item {
+            Item::Group(group) => passing(&group.items),
+            Item::Path(path) if path.shown.until.is_some() => {
+                let short = |r: &Rect| (r.x1 - r.x0).hypot(r.y1 - r.y0) < 40.0;
+                path.contour.bounds().filter(short).into_iter().collect()
+            }
+            _ => Vec::new(),
+        };
+        items.iter().flat_map(of).collect()
     }
 
     #[test]

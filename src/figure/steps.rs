@@ -1,17 +1,17 @@
 //! The steps of a figure, counted: marks that came with an event get the number of the step that it ends.
 
 use std::collections::BTreeSet;
-use std::mem::Discriminant;
 use std::ops::Range;
 
 use crate::drawing::{Group, Item, Path, Step, Text};
 use crate::geometry::sort_by;
 use crate::scene::{Scene, StepWords};
-use crate::trace::{self, Event, Hand, Voice, growth, step, taken, told};
+use crate::trace::{self, Event, Hand, Voice, step};
 
-use super::cue::{Cue, Teller};
-use super::describe::Account;
-use super::runs::{Run, Runs, tells_difference};
+use super::cue::Cue;
+use super::fault::{Fault, Problem};
+use super::runs::{Run, Runs};
+use super::told_cue::{Told, result};
 use super::tongue;
 
 /// Items of a page that share their cues: a panel, its title and its caption.
@@ -37,8 +37,12 @@ impl Scope {
     }
 }
 
-/// Numbers the steps in all items, and tells them.
-pub(super) fn numbered(items: &mut [Item], scopes: &[Scope], (scene, runs): (&Scene, &Runs)) -> Vec<Step> {
+/// Numbers the steps in all items, and tells them; with a note where the scene says more than there are.
+pub(super) fn numbered(
+    items: &mut [Item],
+    scopes: &[Scope],
+    (scene, runs): (&Scene, &Runs),
+) -> (Vec<Step>, Option<Problem>) {
     let (runs, called) = (runs.all(), runs.called.names(scene));
     let voice = tongue::voice(scene, &called, Hand::Words);
     let mut cues = Vec::new();
@@ -49,7 +53,8 @@ pub(super) fn numbered(items: &mut [Item], scopes: &[Scope], (scene, runs): (&Sc
     }
     sort_by(&mut cues, Cue::order);
     cues.dedup();
-    let told: Vec<Told> = cues.iter().filter_map(|cue| Told::of((scene, voice), &runs, *cue)).collect();
+    let told: Vec<Told> =
+        cues.iter().filter_map(|cue| Told::of((scene, voice), &runs, (*cue, &cues))).collect();
     let mut steps = vec![first(voice, &runs)];
     let mut numbers = Vec::with_capacity(told.len());
     let mut is_open = false;
@@ -77,7 +82,9 @@ pub(super) fn numbered(items: &mut [Item], scopes: &[Scope], (scene, runs): (&Sc
         last.sentences
             .extend(untold((scene, voice), &runs, &cues).filter(|said| !last.sentences.contains(said)));
     }
-    let (steps, counted) = worded(steps, &scene.steps);
+    let count = steps.len();
+    let (steps, counted, unused) = worded(steps, &scene.steps);
+    let note = unused.map(|words| Problem::new(Fault::NoStepLeft { count }, words.span.clone()));
     for scope in scopes {
         let number = |number: usize| {
             let cue = scope.cue(number)?;
@@ -90,16 +97,21 @@ pub(super) fn numbered(items: &mut [Item], scopes: &[Scope], (scene, runs): (&Sc
             });
         }
     }
-    steps
+    (steps, note)
 }
 
-/// The steps as a scene wants them, and for each step as it was the number of the one that shows it now.
-fn worded(all: Vec<Step>, said: &[StepWords]) -> (Vec<Step>, Vec<usize>) {
+/// The steps as a scene wants them, for each step as it was the number of the one that shows it now, and the
+/// first words for which none is left.
+fn worded(all: Vec<Step>, said: &[StepWords]) -> (Vec<Step>, Vec<usize>, Option<&StepWords>) {
     let (mut steps, mut counted): (Vec<Step>, Vec<usize>) = (Vec::new(), Vec::new());
+    let mut unused = None;
     for words in said {
         let from = counted.len();
         let until = words.until.unwrap_or(from + 1).min(all.len());
-        let Some(joined) = all.get(from..until).filter(|joined| !joined.is_empty()) else { break };
+        let Some(joined) = all.get(from..until).filter(|joined| !joined.is_empty()) else {
+            unused = Some(words);
+            break;
+        };
         // What is skipped comes with the next one, and with the one before where there is none.
         let is_last = until == all.len();
         if !words.skip || (is_last && steps.is_empty()) {
@@ -118,7 +130,7 @@ fn worded(all: Vec<Step>, said: &[StepWords]) -> (Vec<Step>, Vec<usize>) {
         steps.push(step);
         counted.push(steps.len());
     }
-    (steps, counted)
+    (steps, counted, unused)
 }
 
 /// Some steps as one.
@@ -151,87 +163,12 @@ fn first(voice: Voice, runs: &[std::sync::Arc<Run>]) -> Step {
     })
 }
 
-/// A cue in words.
-struct Told {
-    /// The cue.
-    cue: Cue,
-    /// The title of a step that ends with it.
-    title: String,
-    /// What happened.
-    sentence: String,
-    /// Whether a step ends with it.
-    ends: bool,
-    /// Whether it is B ⊖ A as another algorithm knows it.
-    is_given: bool,
-    /// The kind of event.
-    kind: Discriminant<Event>,
-}
-
-impl Told {
-    /// Whether it may be of the step of the next one: of its run, and not the same again, which follows from
-    /// nothing that the figure shows of this one.
-    fn prepares(&self, next: &Self) -> bool {
-        next.cue.is_of_the_run_of(&self.cue) && next.kind != self.kind
-    }
-
-    /// What a cue says; `None` where no run has it.
-    fn of((scene, voice): (&Scene, Voice), runs: &[std::sync::Arc<Run>], cue: Cue) -> Option<Self> {
-        let (run, event) = runs.iter().find_map(|run| Some((run, run.event_of(&cue)?)))?;
-        let title = step::title(event, cue.part, voice);
-        let is_given = cue.teller != Teller::Own && tells_difference(event);
-        let ends = step::ends_step(event);
-        let kind = std::mem::discriminant(event);
-        let tell = |title, sentence| Self { cue, title, sentence, ends, is_given, kind };
-        Some(match event {
-            Event::DifferenceEdgeFound { .. } | Event::DifferenceRounded { .. }
-                if is_whole(&cue) && run.events().any(tells_edge) =>
-            {
-                let edges = run.events().filter(|event| tells_edge(event)).count();
-                tell(voice.difference(), step::sentence_of_difference(edges, voice))
-            }
-            Event::Finished { .. } => {
-                let of_a_moment = cue.teller == Teller::OtherQuestion;
-                let title = if of_a_moment { step::title_at(cue.asked, voice) } else { title };
-                tell(title, result((scene, voice), runs, run))
-            }
-            Event::SimplexUpdated { .. } | Event::PolytopeExpanded { .. } => {
-                let all = &run.trace.events;
-                let (before, after) = (&all[..cue.event], &all[cue.event + 1..]);
-                let title = growth::title(before, event, after, voice).unwrap_or(title);
-                tell(title, step::sentence_of_part(event, cue.part, voice))
-            }
-            _ => {
-                let title = taken::title(&run.trace.events, cue.event, voice).unwrap_or(title);
-                let by_axes = told::by_axes(event, voice).filter(|_| run.events().any(told::tests_axis));
-                tell(title, by_axes.unwrap_or_else(|| step::sentence_of_part(event, cue.part, voice)))
-            }
-        })
-    }
-}
-
-/// What a run came to.
-fn result((scene, voice): (&Scene, Voice), runs: &[std::sync::Arc<Run>], run: &Run) -> String {
-    let beside = |other: &&std::sync::Arc<Run>| other.time == run.time && other.separation().is_some();
-    let other = runs.iter().find(beside).map(std::sync::Arc::as_ref);
-    Account::beside(scene, run, other).sentence_of_bodies(voice.names)
-}
-
 /// What the figure's own run came to, where no mark comes with that: its last step says it.
 fn untold(of: (&Scene, Voice), runs: &[std::sync::Arc<Run>], cues: &[Cue]) -> Option<String> {
     let is_end = |event: &Event| matches!(event, Event::Finished { .. });
     let own = runs.iter().find(|run| run.is_own() && run.events().any(is_end))?;
     let is_told = cues.iter().any(|cue| own.event_of(cue).is_some_and(is_end));
     (!is_told).then(|| result(of, runs, own))
-}
-
-/// Whether a cue of B ⊖ A is that of the whole.
-fn is_whole(cue: &Cue) -> bool {
-    cue.teller != Teller::Own || cue.part == step::WHOLE
-}
-
-/// Whether an event tells an edge of B ⊖ A.
-fn tells_edge(event: &Event) -> bool {
-    matches!(event, Event::DifferenceEdgeFound { .. })
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@
 //! is left and that way are below what three digits tell, the middle of the witness points is the place. A
 //! loose tolerance leaves more open.
 
-use crate::collision::Separation;
+use crate::collision::{Answer, Query, Separation, scale_of};
 use crate::geometry::{Body, DVec2, Enclosure, Feature, perp};
 
 /// The part of the size of what is asked about, bodies or place, that is half of the last of three digits.
@@ -13,6 +13,11 @@ const HALF_A_DIGIT: f64 = 5e-4;
 
 /// The part of a body's size by which vertices lie in one line: far above rounding, far below a digit.
 const LEVEL: f64 = 1e-9;
+
+/// The share of the size of a pair below which a gap at the first contact is none: that moment is known to
+/// its bounds, and nothing parts the bodies there. A wider one is what the tolerance of a search leaves, and
+/// is told as it is drawn. A millionth of the pair is a thousandth of a pixel.
+const TOUCHING: f64 = 1e-6;
 
 /// Where bodies touch first.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,6 +56,20 @@ pub(crate) fn touching([a, b]: [&Body; 2], time: Enclosure, contact: &Separation
     } else {
         Touching::At(at)
     }
+}
+
+/// Lets bodies touch whose separation is none but for rounding.
+pub(super) fn touch(answer: &mut Answer, query: &Query) {
+    let Answer::Separation(found) = answer else { return };
+    if query.b.is_some_and(|b| is_touch(found, query.a, b)) {
+        (found.separation, found.bounds) = (0.0, Enclosure { lo: 0.0, hi: 0.0 });
+    }
+}
+
+/// Whether the separation of two bodies is none but for rounding.
+pub(crate) fn is_touch(found: &Separation, a: &Body, b: &Body) -> bool {
+    let Enclosure { lo, hi } = found.bounds;
+    lo.abs().max(hi.abs()) <= TOUCHING * scale_of(a, b)
 }
 
 /// The farthest point of a body from its origin.

@@ -18,6 +18,8 @@ pub struct Names {
     b: Option<String>,
     /// Which of them are circles: their only vertex is a centre.
     circles: [bool; 2],
+    /// Whether one of them has a radius.
+    has_radius: bool,
 }
 
 impl Default for Names {
@@ -35,12 +37,22 @@ impl Names {
     /// ```
     #[must_use]
     pub fn new(a: &str, b: Option<&str>) -> Self {
-        Self { a: a.to_owned(), b: b.map(str::to_owned), circles: [false; 2] }
+        Self { a: a.to_owned(), b: b.map(str::to_owned), circles: [false; 2], has_radius: false }
     }
 
     /// With which of the two bodies are circles, whose only vertex is called a centre.
     pub(crate) fn of_circles(self, circles: [bool; 2]) -> Self {
         Self { circles, ..self }
+    }
+
+    /// With whether one of the two bodies has a radius: what is told of cores is then not all.
+    pub(crate) fn of_round(self, has_radius: bool) -> Self {
+        Self { has_radius, ..self }
+    }
+
+    /// Whether a body is known to have a radius.
+    pub(crate) fn has_radius(&self) -> bool {
+        self.has_radius
     }
 
     /// Whether a body is known to be a circle.

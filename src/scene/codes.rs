@@ -46,6 +46,7 @@ codes! {
         "a shape that the query cannot be asked of, as an outline in a separation";
     NO_SUCH_MOMENT = "no-such-moment", "a panel shows a hit or a step that no answer to the query has";
     NOTHING_PLAYS = "nothing-plays", "note: a figure that was to play, and no panel of it does";
+    NO_STEP_LEFT = "no-step-left", "note: `[[steps]]` has words for more steps than the figure has";
     NO_LAYERS = "no-layers", "warning: a panel whose list of layers is empty";
     EMPTY_VIEW = "empty-view", "warning: a panel's `view` holds nothing of what the panel draws";
     UNSUITED_LAYER = "unsuited-layer", "a layer that shows another space than its panel";

@@ -188,15 +188,17 @@ impl Scene {
     pub fn names(&self) -> Names {
         let name = |i: usize| self.query.of.get(i).and_then(|&shape| self.shapes.get(shape));
         let [a, b] = [0, 1].map(|i| name(i).map(|(name, _)| visible(&name.value)));
-        Names::new(&a.unwrap_or_default(), b.as_deref()).of_circles(self.circles())
+        self.known(Names::new(&a.unwrap_or_default(), b.as_deref()))
     }
 
-    /// Which bodies of the query are circles of a size.
-    pub(crate) fn circles(&self) -> [bool; 2] {
+    /// Names of the query's bodies with what is known of those: which are circles of a size, and whether one
+    /// has a radius.
+    pub(crate) fn known(&self, names: Names) -> Names {
         let body = |i: usize| self.query.of.get(i).and_then(|&shape| self.shapes.get(shape));
-        [0, 1].map(|i| {
-            body(i).is_some_and(|(_, body)| body.shape.vertices.len() == 1 && body.shape.radius > 0.0)
-        })
+        let shapes = [0, 1].map(|i| body(i).map(|(_, body)| &body.shape));
+        let is_round = shapes.map(|shape| shape.is_some_and(|shape| shape.radius > 0.0));
+        let is_point = shapes.map(|shape| shape.is_some_and(|shape| shape.vertices.len() == 1));
+        names.of_circles([0, 1].map(|i| is_round[i] && is_point[i])).of_round(is_round.contains(&true))
     }
 
     /// The question with its bodies at another moment: `time` counts from 0, the start of the motion, to 1,

@@ -2,6 +2,8 @@
 //!
 //! How many steps there are is known when the figure is drawn; here they are in order.
 
+use std::ops::Range;
+
 use super::checked::{Checked, as_list, check, too_many};
 use super::fields::STEP;
 use super::limits::MAX_STEPS;
@@ -20,6 +22,8 @@ pub struct StepWords {
     pub text: Option<String>,
     /// Whether they come with the step after them, without words.
     pub skip: bool,
+    /// Where the scene says so, in bytes of the source text.
+    pub span: Range<usize>,
 }
 
 /// Reads what is said of the steps; what is wrong is told and left out.
@@ -52,5 +56,6 @@ pub(super) fn step(node: &Node, before: &mut usize, p: &mut Problems) -> Option<
         let help = "leave the words out, or `skip`".to_owned();
         p.add(Fault::Conflict { message, help }, &words.span);
     }
-    Some(StepWords { until: until.map(|until| until.value), title: text("title"), text: text("text"), skip })
+    let (until, [title, said]) = (until.map(|until| until.value), ["title", "text"].map(text));
+    Some(StepWords { until, title, text: said, skip, span: node.span.clone() })
 }

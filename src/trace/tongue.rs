@@ -65,10 +65,33 @@ impl Tongue {
         let mut pieces = self.word(phrase).split(STAR);
         let mut said = pieces.next().unwrap_or_default().to_owned();
         for (piece, value) in pieces.zip(values) {
+            self.meet(&mut said, value);
             said.push_str(value);
             said.push_str(piece);
         }
         said
+    }
+
+    /// Changes the last word of a phrase for the word that follows: French "de" before a vowel, Spanish "y"
+    /// before an i. A letter alone is a symbol, and changes nothing.
+    fn meet(self, said: &mut String, next: &str) {
+        let (word, by) = match self.column {
+            2 => (" de ", " d’"),
+            3 => (" y ", " e "),
+            _ => return,
+        };
+        let mut letters = next.chars().flat_map(char::to_lowercase);
+        let [first, second, third] = [(); 3].map(|()| letters.next().unwrap_or(' '));
+        let is_met = match (first, second) {
+            _ if self.column == 2 => "aeiouàâéèêëîïôœûù".contains(first) && second.is_alphabetic(),
+            ('i' | 'í', after) => after.is_alphabetic() && !"aeou".contains(after),
+            ('h', 'i' | 'í') => !"aeou".contains(third),
+            _ => false,
+        };
+        if is_met && said.ends_with(word) {
+            said.truncate(said.len() - word.len());
+            said.push_str(by);
+        }
     }
 
     /// A number, or several, that are written with points.
@@ -106,6 +129,23 @@ mod tests {
         assert_eq!(Tongue::new(1, true).say(&IS, &["A*", "B"]), "A* ist B");
         assert_eq!(Tongue::ENGLISH.say(&IS, &["A", "B"]), "A is B");
         assert_eq!(unlike([&IS]), [&[""; 4]; 0]);
+    }
+
+    #[test]
+    fn little_words_change_before_the_names_that_follow() {
+        let [french, spanish] = [2, 3].map(|column| Tongue::new(column, true));
+        let of: Phrase = [" of *", " von *", "le centre de *", "el centro de *"];
+        let both: Phrase = ["* and *", "* und *", "* et *", "* y *"];
+        for (name, said) in [("Ile", "d’Ile"), ("Éclair", "d’Éclair"), ("A", "de A"), ("Mur", "de Mur")]
+        {
+            assert_eq!(french.say(&of, &[name]), format!("le centre {said}"));
+        }
+        for (name, said) in
+            [("Isla", "e Isla"), ("Higo", "e Higo"), ("Hielo", "y Hielo"), ("Casa", "y Casa"), ("B", "y B")]
+        {
+            assert_eq!(spanish.say(&both, &["Mar", name]), format!("Mar {said}"));
+        }
+        assert_eq!(french.say(&of, &["0,5"]), "le centre de 0,5");
     }
 
     #[test]

@@ -10,7 +10,7 @@ pub(super) const PICTURE: Picture = Picture {
     fits: |case| case.count(|e| matches!(e, Event::EdgesFaced { .. })) > 0,
     panels: r#"
 [[panels]]
-title = "Clipped at the reference edge's ends"
+title = "Between the reference edge's ends"
 layers = ["shapes", { layer = "clipping", show = ["edges", "planes", "cut"] }]
 
 [[panels]]

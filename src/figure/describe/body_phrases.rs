@@ -14,7 +14,7 @@ phrases! {
     /// A capsule without a radius.
     SEGMENT: "a segment", "eine Strecke", "un segment", "un segmento";
     /// The radius of a body.
-    OF_RADIUS: " of radius *", " vom Radius *", " de rayon *", " de radio *";
+    OF_RADIUS: " of radius *", " mit Radius *", " de rayon *", " de radio *";
     /// Where the origin of a body is, from which its vertices are given.
     MOVED: ", as seen from its origin at *",
         ", gesehen vom Ursprung des Körpers bei *",

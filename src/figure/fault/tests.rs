@@ -31,6 +31,11 @@ fn notes() -> Vec<(Fault, &'static str, &'static str)> {
             "",
         ),
         (
+            Fault::NoStepLeft { count: 3 },
+            "no step is left for these words: the figure has 3",
+            "`until` counts the figure's own steps, from 1",
+        ),
+        (
             Fault::OutOfView { name: "house".to_owned() },
             "`house` is not on the picture: it is far from the bodies of the query",
             "a panel's `view = [x0, y0, x1, y1]` reaches as far as it says",

@@ -278,12 +278,12 @@ fn at_moment(context: &Context, side: Side, time: &str) -> Vec<String> {
     if name.is_symbol() { vec![format!("{} {then}", name.primed(0))] } else { vec![name.primed(0), then] }
 }
 
-/// How far a body turns from the panel's moment to another, clockwise with a minus, where that is so many
-/// degrees or more: five whole turns look like none. To a tenth of a degree, which is about what is seen:
+/// How far a body has turned by a moment since the start, whatever moment its panel shows, clockwise with a
+/// minus, where that is so many degrees or more: five whole turns look like none. To a tenth of a degree, which is about what is seen:
 /// −360.4° in three digits would be none.
 fn turned(context: &Context, side: Side, time: f64, least: f64) -> Option<String> {
     let (_, spin) = seen(context, side)?;
-    let degrees = spin * (time - context.time);
+    let degrees = spin * time;
     let tenths = TENTHS.of(degrees, degrees);
     let written = tenths.strip_suffix(".0").unwrap_or(&tenths);
     (degrees.abs() >= least).then(|| format!("turned ${}°$", in_math(written)))

@@ -62,6 +62,7 @@ mod spin;
 mod step_numbers;
 mod support;
 mod sweep;
+mod tested_axis;
 #[cfg(test)]
 mod tests;
 mod tracks;

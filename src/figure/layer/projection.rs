@@ -12,13 +12,14 @@ use crate::figure::context::Context;
 use crate::figure::cue::Cue;
 use crate::figure::sketch::{Anchor, Label, Pen, Rank, Size, Sketch};
 use crate::figure::text::{Quantity, terms};
-use crate::geometry::{DVec2, Enclosure, Feature, Side, perp};
+use crate::geometry::{DVec2, Feature, Side, perp};
 use crate::trace::{Event, phrase};
 
 use super::axis_unit::{LIGHT, light, numbers, on_axis, sees, shadow_of, units, written, zero};
 use super::half_extents::beside;
 use super::normal::{unit_length, unit_vector};
 use super::shadow::{guide, highest, lit};
+use super::tested_axis::{Tested, told};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of};
 
 /// The part of a measure by which others are as large, as far as rounding tells.
@@ -90,31 +91,6 @@ pub(super) const LAYER: Layer = Layer {
 /// The most axes that come and go, which the eye could follow.
 const MOST_PASSING: usize = 40;
 
-/// An axis that the algorithm tested.
-#[derive(Clone, Copy)]
-struct Tested {
-    /// The unit vector along the axis.
-    n: DVec2,
-    /// The body whose edge or vertex gave it.
-    source: (Side, Feature),
-    /// From the least to the largest n·x of A's points.
-    a: Enclosure,
-    /// From the least to the largest n·x of B's points.
-    b: Enclosure,
-    /// From A's upper end to B's lower one, negative where B begins before A ends.
-    gap: f64,
-}
-
-/// What an event tells of an axis.
-fn told(event: &Event) -> Option<Tested> {
-    match *event {
-        Event::AxisTested { axis, source, interval_a, interval_b, gap } => {
-            Some(Tested { n: axis, source, a: interval_a, b: interval_b, gap })
-        }
-        _ => None,
-    }
-}
-
 /// The tested axis that the scene wants; else the one of the largest measure.
 fn tested(context: &Context, options: &Options) -> Option<Tested> {
     let run = context.run();
@@ -178,7 +154,10 @@ fn draw_axis(sketch: &mut Sketch, (context, options): (&Context, &Options), t: &
     // What lies in both shadows is marked at them alone: light that would fall there is stopped.
     let has_light = options.flag("light", false);
     let from = if has_light { top - sketch.px(LIGHT) } else { top };
-    lit(sketch, [t.a.hi, t.b.lo], [low, if t.gap > 0.0 { from } else { -track }], at);
+    // Where B lies behind A nothing is in both shadows, and no light falls between them this way.
+    if !t.is_behind() {
+        lit(sketch, [t.a.hi, t.b.lo], [low, if t.gap > 0.0 { from } else { -track }], at);
+    }
     let past = sketch.px(PAST);
     let values = options.flag("values", false);
     let (mut first, mut last) = (t.a.lo.min(t.b.lo) - past, t.a.hi.max(t.b.hi) + past);
@@ -216,7 +195,11 @@ fn draw_axis(sketch: &mut Sketch, (context, options): (&Context, &Options), t: &
     }
     // Where bodies are apart, an overlap on one axis is no way to move.
     let is_asked = options.number("axis").is_some() && t.gap <= 0.0;
-    let role = if is_asked { Role::Ink } else { Role::Translation };
+    let role = match is_asked {
+        true => Role::Ink,
+        false if t.is_behind() => Role::Muted,
+        false => Role::Translation,
+    };
     let pen = if joined { Pen::highlighted(role) } else { Pen::dimension(role).width(1.5) };
     let distance = context.separation_at(context.time).and_then(|run| run.separation().map(|s| s.separation));
     let rounding = context.scene.query_at(context.time).rounding();
@@ -237,11 +220,10 @@ fn edge(sketch: &mut Sketch, context: &Context, t: &Tested, with_normal: bool) -
     let out = body.shape.radius * if side == Side::A { t.n } else { -t.n };
     let (p, q) = (p + out, q + out);
     let middle = 0.5 * (p + q);
-    // n points from A to B: away from an edge of A, and up to one of B, but never out of A through its gap.
-    let unit = unit_length(sketch);
+    // n points from A to B: away from an edge of A, and up to one of B.
     let (from, outward) = match side {
-        Side::B if unit <= t.gap => (middle - t.n * unit, -t.n),
-        _ => (middle, t.n),
+        Side::B => (middle - t.n * unit_length(sketch), -t.n),
+        Side::A => (middle, t.n),
     };
     sketch.part("edge").line(p, q, Pen::highlighted(side.into()));
     if !with_normal {
@@ -299,7 +281,7 @@ fn measure(
         _ => format!("= {from} {minus} = {result}"),
     };
     let mut lines = vec![format!("{word}{equals}$")];
-    if t.b.hi < t.a.lo {
+    if t.is_behind() {
         // Apart the other way round: another edge tells of that gap.
         lines.push("(the edge faces away)".to_owned());
     } else if t.gap > 0.0 && distance.is_some_and(|distance| distance - t.gap > TIED * distance) {

@@ -4,8 +4,9 @@ use std::sync::Arc;
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::runs::{Run, is_touch};
+use crate::figure::runs::Run;
 use crate::figure::sketch::{Anchor, Label, Pen, Sketch};
+use crate::figure::touching::is_touch;
 use crate::geometry::Side;
 use crate::trace::{Event, phrase};
 

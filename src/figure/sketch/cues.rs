@@ -4,7 +4,7 @@ use crate::drawing::{Item, Shown};
 use crate::figure::cue::Cue;
 use crate::figure::frame::union;
 
-use super::Sketch;
+use super::{Cover, Obstacle, Sketch, Weight};
 
 /// The cues of a panel so far, and those of what is drawn now.
 #[derive(Debug, Default)]
@@ -13,6 +13,8 @@ pub(super) struct Cues {
     pub(super) known: Vec<Cue>,
     /// When what is drawn now comes and goes.
     pub(super) now: Shown,
+    /// Whether labels keep off what goes again.
+    keeps: bool,
 }
 
 impl Cues {
@@ -37,7 +39,21 @@ impl Cues {
     }
 }
 
+/// Makes what is soon gone an obstacle that a label crosses before others, and that names nothing.
+fn light(obstacle: &mut Obstacle) {
+    obstacle.weight = Weight::Light;
+    if let Cover::Marker { at, radius: half } | Cover::Head { at, radius: half } = obstacle.cover {
+        obstacle.cover = Cover::Stroke { from: at, to: at, half };
+    }
+}
+
 impl Sketch<'_> {
+    /// With whether it is of a figure in steps.
+    pub(crate) fn in_steps(mut self, is_so: bool) -> Self {
+        self.cues.keeps = is_so;
+        self
+    }
+
     /// What is drawn and labelled from here to the end of the layer comes with this event; without one it was
     /// there before the first event.
     pub(crate) fn since(&mut self, cue: impl Into<Option<Cue>>) -> &mut Self {
@@ -47,7 +63,7 @@ impl Sketch<'_> {
     }
 
     /// What `draw` draws comes with one event and goes with another: only steps between them show it. The
-    /// finished figure has none of it, so labels do not keep off it, nothing of it has a label or a handle,
+    /// finished figure has none of it, so labels do not keep off it but in a figure in steps, nothing of it has a label or a handle,
     /// and a panel makes room for it only where it is drawn in steps. It is the last that its layer draws.
     pub(crate) fn passing(&mut self, [from, to]: [Cue; 2], draw: impl FnOnce(&mut Self)) {
         let kept = [self.obstacles.len(), self.requests.len(), self.unnamed.len(), self.holds.len()];
@@ -55,7 +71,11 @@ impl Sketch<'_> {
         self.since(from);
         self.cues.now.until = Some(self.cues.number(to));
         draw(self);
-        self.obstacles.truncate(kept[0]);
+        if self.cues.keeps {
+            self.obstacles.iter_mut().skip(kept[0]).for_each(light);
+        } else {
+            self.obstacles.truncate(kept[0]);
+        }
         self.requests.truncate(kept[1]);
         self.unnamed.truncate(kept[2]);
         self.holds.truncate(kept[3]);

@@ -25,10 +25,11 @@ use crate::geometry::{DVec2, Enclosure, Feature, Names, Side};
 pub(crate) use hand::{Hand, TOLD, USUAL, WHOLE};
 use motion::{advanced, closest_approach, compared, motion, ray, swept};
 use phrases::events::{
-    AXIS, BOTTOM, BOX, CLAMPED, DIFFERENCE_EDGE, DIFFERENCE_EDGE_OF_CENTER, DISC, FINISHED, GAP,
-    LEAST_PENETRATING, LEAST_POSITIVE, LEFT, MERGED, NO_MORE, OUTCOMES, OVERLAP, PENETRATION, POLYTOPE,
-    POLYTOPE_GROWN, PROJECTED, RIGHT, ROUNDED, SEPARATED, SETTLED, SIMPLEX, SIMPLEX_HOLDS, SPLITS, SQUARES,
-    STARTED, SUPPORT, TIE, TOGETHER, TOP, TURNS_MORE, WAY_OUT,
+    AXIS, AXIS_INTO, BEHIND, BOTTOM, BOX, CLAMPED, CLAMPED_INSIDE, DIFFERENCE_EDGE,
+    DIFFERENCE_EDGE_OF_CENTER, DISC, FINISHED, GAP, LEAST_PENETRATING, LEAST_POSITIVE, LEFT, MERGED,
+    NO_FARTHER, NO_MORE, OUTCOMES, OVERLAP, PENETRATION, POLYTOPE, POLYTOPE_GROWN, PROJECTED, RIGHT, ROUNDED,
+    SEPARATED, SETTLED, SIMPLEX, SIMPLEX_HOLDS, SPLITS, SQUARES, STARTED, SUPPORT, TIE, TOGETHER, TOP,
+    TURNS_MORE, WAY_OUT,
 };
 pub(crate) use place::place;
 pub(crate) use words::{Voice, script};
@@ -52,13 +53,12 @@ pub(crate) fn all_phrases() -> impl Iterator<Item = &'static Phrase> {
 #[must_use]
 pub fn story(trace: &Trace, names: &Names) -> String {
     let (mut text, voice) = (String::new(), Voice::english(names));
-    let has_axes = trace.events.iter().any(told::tests_axis);
+    let search = told::Search::of(&trace.events);
     for (k, event) in told::told(trace).enumerate() {
         if k > 0 && matches!(event, Event::Started { .. }) {
             text.push('\n');
         }
-        let by_axes = told::by_axes(event, voice).filter(|_| has_axes);
-        text.push_str(&by_axes.unwrap_or_else(|| sentence_in(event, voice)));
+        text.push_str(&search.end(event, voice).unwrap_or_else(|| sentence_in(event, voice)));
         text.push('\n');
     }
     text
@@ -209,6 +209,9 @@ fn in_box(
     let sign = if is_inside { less } else { "" };
     let [v, clamped, h] = in_frame.map(|p| voice.point(p));
     let [closest, d] = in_world.map(|p| voice.point(p));
+    if is_inside {
+        return voice.say(&CLAMPED_INSIDE, &[&own, &v, &h, &closest, &d, sign, less, &voice.number(left)]);
+    }
     voice.say(&CLAMPED, &[&own, &v, &clamped, &h, &closest, &d, sign, less, &voice.number(left)])
 }
 
@@ -280,11 +283,14 @@ fn axis_tested(
     let [a, b] = intervals.map(|interval| voice.interval(interval));
     let between = if gap > 0.0 {
         voice.say(&GAP, &[&voice.length(gap)])
+    } else if intervals[1].hi < intervals[0].lo {
+        voice.say(&BEHIND, &[&second, &first])
     } else {
         voice.say(&OVERLAP, &[&second, &voice.length(-gap), &first])
     };
     let (axis, part, of) = (voice.point(axis), voice.part((side, feature)), voice.of(side));
-    voice.say(&AXIS, &[&axis, &part, &of, &first, &a, &second, &b, &between])
+    let phrase = if side == Side::A { &AXIS } else { &AXIS_INTO };
+    voice.say(phrase, &[&axis, &part, &of, &first, &a, &second, &b, &between])
 }
 
 /// Vertices of a polytope that are told: those of the simplex that it begins with. What is added later was
@@ -302,7 +308,7 @@ fn polytope(
     let then = if beyond > 0.0 {
         voice.say(&SPLITS, &[&voice.point(support), &voice.length(beyond)])
     } else {
-        voice.word(&WAY_OUT)
+        voice.word(if nearest > 0.0 { &WAY_OUT } else { &NO_FARTHER })
     };
     let (count, points) = (vertices.len().to_string(), voice.points(vertices));
     let (nearest, normal) = (voice.length(nearest), voice.point(normal));

@@ -105,6 +105,7 @@ pub(crate) fn title(event: &Event, of: usize, voice: Voice) -> String {
         Event::BoundsFound { .. } => SIDES.get(of).map_or(&words::BOX, |(title, _)| title),
         Event::ExtentsCompared { .. } => &words::EXTENTS,
         Event::Clamped { .. } if of == clamped::WAY => &words::WAY,
+        Event::Clamped { v, clamped, .. } if of == clamped::CUT && v == clamped => &words::WITHIN,
         Event::Clamped { .. } if of == clamped::CUT => &words::CLAMPED,
         Event::Clamped { .. } => &words::CLOSEST_POINT,
         Event::SupportFound { .. } => &words::FARTHEST,
@@ -171,8 +172,13 @@ pub(crate) fn sentence_of_part(event: &Event, of: usize, voice: Voice) -> String
         Event::Clamped { body, v, half_extents, clamped, closest, d, .. } => {
             let (own, other) = (voice.of(*body), voice.of(body.other()));
             let point = |p: &DVec2| voice.point(*p);
+            let is_inside = v == clamped;
             match of {
                 clamped::WAY => voice.say(&words::LEADS, &[&own, &other, &point(v), &own]),
+                clamped::CUT if is_inside => {
+                    voice.say(&words::IS_WITHIN, &[&point(half_extents), &other, &own])
+                }
+                _ if is_inside => voice.say(&words::NEAREST_SIDE, &[&point(closest), &own, &point(d)]),
                 clamped::CUT => voice.say(&words::CUT_DOWN, &[&point(half_extents), &point(clamped)]),
                 _ => voice.say(&words::LEADS_TO, &[&point(closest), &own, &other, &point(d)]),
             }
@@ -192,6 +198,9 @@ pub(crate) fn sentence_of_part(event: &Event, of: usize, voice: Voice) -> String
             (advanced::APART, _) => {
                 voice.say(&words::APART, &[&voice.length(*separation), &voice.point(*normal)])
             }
+            (_, Some(next)) if *closing_speed <= 0.0 => {
+                voice.say(&words::TURN_IN, &[&voice.number(*bound), &voice.number(*next)])
+            }
             (_, Some(next)) => {
                 let (speed, turning) =
                     (voice.number(*closing_speed), with_turning(voice, [*closing_speed, *bound]));
@@ -207,6 +216,12 @@ pub(crate) fn sentence_of_part(event: &Event, of: usize, voice: Voice) -> String
 #[must_use]
 pub(crate) fn sentence_of_difference(edges: usize, voice: Voice) -> String {
     voice.say(&EDGES, &[&voice.difference(), &edges.to_string()])
+}
+
+/// What is said of steps of an advancement of which a figure shows none.
+#[must_use]
+pub(crate) fn left_out(count: usize, voice: Voice) -> String {
+    voice.say(&words::LEFT_OUT, &[&count.to_string()])
 }
 
 /// What the sides of a box are called: as a title, and in a sentence.

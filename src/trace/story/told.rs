@@ -4,7 +4,10 @@
 //! An algorithm by components records the edges of B ⊖ A for layers that draw them, and looks at none: its
 //! story leaves them out, as JSON lines do not.
 
-use super::phrases::events::{EDGES, LARGEST_GAP, LEAST_DEEP, LEAST_OVERLAP, NEAREST, OUTLINE};
+use super::phrases::events::{
+    DEPTH_IS, DISTANCE_IS, EDGES, LARGEST_GAP, LEAST_DEEP, LEAST_OVERLAP, LESS_RADII, NEAREST, OUTLINE,
+    WITH_RADII,
+};
 use super::phrases::moving::{MANY_AWAY, ONE_AWAY};
 use super::{Voice, sentence_in};
 use crate::geometry::DVec2;
@@ -39,21 +42,53 @@ pub(crate) fn told(trace: &Trace) -> impl Iterator<Item = &Event> {
     trace.events.iter().filter(move |event| !(is_by_components && is_of_edges(event)))
 }
 
-/// What is told of an event where axes were tested, if anything else than elsewhere: the last thing that they
-/// say, which is no candidate that another one may better.
-pub(crate) fn by_axes(event: &Event, voice: Voice) -> Option<String> {
-    let Event::CandidateImproved { goal, distance, source: (side, feature), .. } = event else { return None };
-    let phrase = match goal {
-        Goal::LeastPositive => &LARGEST_GAP,
-        Goal::LeastPenetrating => &LEAST_OVERLAP,
-    };
-    let (size, part, body) = (voice.length(distance.abs()), voice.part((*side, *feature)), voice.of(*side));
-    Some(voice.say(phrase, &[&size, &part, &body]))
+/// A search of which the last thing told is no candidate that another one may better: that is what it found.
+#[derive(Clone, Copy)]
+pub(crate) enum Search {
+    /// Axes were tested.
+    Axes,
+    /// Simplices came nearer to the origin, of bodies without their radii.
+    Simplices,
+    /// Another one.
+    Edges,
 }
 
-/// Whether an event is the test of an axis.
-pub(crate) fn tests_axis(event: &Event) -> bool {
-    matches!(event, Event::AxisTested { .. })
+impl Search {
+    /// What kind of search told these events.
+    pub(crate) fn of<'e>(events: impl IntoIterator<Item = &'e Event>) -> Self {
+        let kind = |event: &Event| match event {
+            Event::AxisTested { .. } => Some(Self::Axes),
+            Event::SimplexUpdated { .. } | Event::PolytopeExpanded { .. } => Some(Self::Simplices),
+            _ => None,
+        };
+        events.into_iter().find_map(kind).unwrap_or(Self::Edges)
+    }
+
+    /// What is told of the end of such a search; `None` of another event, or of a candidate like others.
+    pub(crate) fn end(self, event: &Event, voice: Voice) -> Option<String> {
+        let Event::CandidateImproved { goal, distance, foot, source: (side, feature) } = event else {
+            return None;
+        };
+        let is_deep = *goal == Goal::LeastPenetrating;
+        let (size, part, body) =
+            (voice.length(distance.abs()), voice.part((*side, *feature)), voice.of(*side));
+        match self {
+            Self::Axes => {
+                let phrase = if is_deep { &LEAST_OVERLAP } else { &LARGEST_GAP };
+                Some(voice.say(phrase, &[&size, &part, &body]))
+            }
+            Self::Simplices => {
+                let phrase = match (is_deep, voice.names.has_radius()) {
+                    (false, false) => &DISTANCE_IS,
+                    (false, true) => &LESS_RADII,
+                    (true, false) => &DEPTH_IS,
+                    (true, true) => &WITH_RADII,
+                };
+                Some(voice.say(phrase, &[&size, &voice.point(*foot), &part, &body]))
+            }
+            Self::Edges => None,
+        }
+    }
 }
 
 /// The sentences of events that a reader works through: rows of many edges are gathered, and where nothing
@@ -61,10 +96,8 @@ pub(crate) fn tests_axis(event: &Event) -> bool {
 pub(crate) fn way<'e>(events: impl Iterator<Item = &'e Event>, voice: Voice, turns: bool) -> Vec<String> {
     let events: Vec<&Event> = events.collect();
     let is_advancing = events.iter().any(|event| matches!(event, Event::Advanced { .. }));
-    let has_axes = events.iter().any(|event| tests_axis(event));
-    let said = |event: &Event| {
-        by_axes(event, voice).filter(|_| has_axes).unwrap_or_else(|| sentence_in(event, voice))
-    };
+    let search = Search::of(events.iter().copied());
+    let said = |event: &Event| search.end(event, voice).unwrap_or_else(|| sentence_in(event, voice));
     let (mut all, mut rest, mut is_first) = (Vec::new(), &events[..], true);
     while let Some(&event) = rest.first() {
         let is_row: fn(&Event) -> bool = match event {

@@ -251,17 +251,20 @@ fn what_has_no_edge_to_stand_on_is_told() {
 
 #[test]
 fn a_body_that_turned_more_than_once_says_how_far_and_which_way() {
-    let told = |spin: f64| {
+    let told_at = |spin: f64, time: f64| {
         let text = format!(
             "shapes.blade = {{ kind = 'box', half_extents = [1, 0.1], angular_velocity_deg = {spin} }}
              shapes.wall = {{ kind = 'box', half_extents = [1, 1], position = [9, 0] }}
              query = {{ kind = 'time-of-impact', of = ['blade', 'wall'] }}
-             panels = [{{ layers = ['shapes', {{ layer = 'ghosts', of = 'blade', at = 'end' }}] }}]"
+             panels = [{{ time = {time}, layers = ['shapes', {{ layer = 'ghosts', of = 'blade', at = 'end' }}] }}]"
         );
         let scene = open_text("blade", &text).unwrap().scene;
         let plan = plan(&scene).unwrap();
         labels(&draw(&plan, plan.theme, "blade"))["A'"].0.clone()
     };
+    let told = |spin| told_at(spin, 0.0);
+    // Since the start, whatever the panel shows.
+    assert!(told_at(1845.0, 0.25).ends_with("turned $1845°$"), "{}", told_at(1845.0, 0.25));
     assert!(told(1845.0).ends_with("turned $1845°$"), "{}", told(1845.0));
     assert!(told(-360.44).ends_with("turned $-360.4°$"), "{}", told(-360.44));
     assert!(!told(-350.0).contains("turned"));

@@ -50,6 +50,16 @@ phrases! {
          proche est *, avec D = * de là, et *|D| * r = *.",
         "En el sistema de *: V = *, limitado a * por las semiextensiones *. En el mundo el punto más cercano \
          es *, con D = * desde ahí, y *|D| * r = *.";
+    /// The same where that is inside the box: whose, V, the half-extents, the closest point of its outline, D,
+    /// what subtracts, twice, and the distance.
+    CLAMPED_INSIDE: "In *'s frame V = *, within the half-extents *: the centre is inside. In the world the \
+         closest point of the outline is *, with D = * from there, and *|D| * r = *.",
+        "Im System von * ist V = *, innerhalb der halben Ausdehnungen *: Der Mittelpunkt liegt darin. In der \
+         Welt ist der nächste Punkt des Umrisses *, mit D = * von dort, und *|D| * r = *.",
+        "Dans le repère de * : V = *, dans les demi-étendues * : le centre est à l’intérieur. Dans le monde, le \
+         point le plus proche du contour est *, avec D = * de là, et *|D| * r = *.",
+        "En el sistema de *: V = *, dentro de las semiextensiones *: el centro está dentro. En el mundo el \
+         punto más cercano del contorno es *, con D = * desde ahí, y *|D| * r = *.";
     /// The farthest vertices of a body: direction, body, vertices, a tie.
     SUPPORT: "Farthest along * on *: **.",
         "Am weitesten entlang * auf *: **.",
@@ -101,10 +111,30 @@ phrases! {
         "Moindre profondeur jusqu’ici : * en * (* de *).",
         "Menor profundidad hasta ahora: * en * (* de *).";
     /// The best one so far of those that it is outside of.
-    LEAST_POSITIVE: "Least positive so far: * at *, by * of *.",
-        "Bisher der kleinste positive Wert: * bei *, durch * von *.",
-        "Plus petite valeur positive jusqu’ici : * en * (* de *).",
-        "Menor valor positivo hasta ahora: * en * (* de *).";
+    LEAST_POSITIVE: "Least distance so far: * at *, by * of *.",
+        "Bisher kleinster Abstand: * bei *, durch * von *.",
+        "Moindre distance jusqu’ici : * en * (* de *).",
+        "Menor distancia hasta ahora: * en * (* de *).";
+    /// What a search by simplexes found of bodies without radii: distance, place, edge or vertex, body.
+    DISTANCE_IS: "The distance is *, at *, by * of *.",
+        "Der Abstand ist *, bei *, durch * von *.",
+        "La distance est *, en * (* de *).",
+        "La distancia es *, en * (* de *).";
+    /// Of bodies with radii.
+    LESS_RADII: "Less the radii the distance is *, at *, by * of *.",
+        "Ohne die Radien ist der Abstand *, bei *, durch * von *.",
+        "Rayons déduits, la distance est *, en * (* de *).",
+        "Descontados los radios, la distancia es *, en * (* de *).";
+    /// What it found of bodies that overlap, without radii: depth, place, edge, body.
+    DEPTH_IS: "The depth is *, at *, by * of *.",
+        "Die Tiefe ist *, bei *, durch * von *.",
+        "La profondeur est *, en * (* de *).",
+        "La profundidad es *, en * (* de *).";
+    /// Of bodies with radii.
+    WITH_RADII: "With the radii the depth is *, at *, by * of *.",
+        "Mit den Radien ist die Tiefe *, bei *, durch * von *.",
+        "Avec les rayons, la profondeur est *, en * (* de *).",
+        "Con los radios, la profundidad es *, en * (* de *).";
     /// What the axes say of bodies that are apart: distance, edge or vertex, body.
     LARGEST_GAP: "The largest gap is the distance: *, by * of *.",
         "Die größte Lücke ist der Abstand: *, durch * von *.",
@@ -120,14 +150,24 @@ phrases! {
     AXIS: "Along *, the normal of * of *: * spans *, * spans *, *.",
         "Entlang *, der Normalen von * von *: * reicht von *, * von *; *.",
         "Le long de *, normale (* de *) : * va de *, * va de * ; *.",
-        "A lo largo de *, normal de * de *: * va de *, * va de *; *.";
+        "A lo largo de *, normal (* de *): * va de *, * va de *; *.";
+    /// The same where the axis is the second body's, and points into its edge.
+    AXIS_INTO: "Along *, against the normal of * of *: * spans *, * spans *, *.",
+        "Entlang *, entgegen der Normalen von * von *: * reicht von *, * von *; *.",
+        "Le long de *, à l’opposé de la normale (* de *) : * va de *, * va de * ; *.",
+        "A lo largo de *, en contra de la normal (* de *): * va de *, * va de *; *.";
     /// They are apart there.
     GAP: "a gap of *", "eine Lücke von *", "un écart de *", "un hueco de *";
     /// They are not: the second body, by how much, the first one.
     OVERLAP: "where * begins * before * ends",
-        "dabei beginnt * um * vor dem Ende von *",
-        "où * commence * avant la fin de *",
-        "donde * empieza * antes del final de *";
+        "* beginnt * vor dem Ende von *",
+        "* commence * avant la fin de *",
+        "* empieza * antes del final de *";
+    /// They are apart the other way round: the second body, the first one.
+    BEHIND: "with all of * behind *: no gap this way",
+        "* liegt ganz hinter *: in dieser Richtung keine Lücke",
+        "* est tout entier derrière * : pas d’écart dans ce sens",
+        "todo * queda detrás de *: ningún hueco en este sentido";
     /// The separating axis, and how far apart.
     SEPARATED: "* separates them by *: no need to look further.",
         "* trennt sie um *: Weiter braucht man nicht zu suchen.",
@@ -164,6 +204,11 @@ phrases! {
         "keine Ecke liegt dahinter: Das ist der Weg hinaus",
         "aucun sommet n’est au-delà : c’est la sortie",
         "ningún vértice está más allá: es la salida";
+    /// None does, and it passes through the origin.
+    NO_FARTHER: "no vertex is beyond it",
+        "keine Ecke liegt dahinter",
+        "aucun sommet n’est au-delà",
+        "ningún vértice está más allá";
     /// The edges that face each other: part, body, from, to, outward normal, the other part and body.
     FACED: "Reference: * of *, * to *, outward *; * of * faces it.",
         "Referenz: * von *, * bis *, nach außen *; * von * liegt ihr gegenüber.",
@@ -175,7 +220,7 @@ phrases! {
         "Le plan en * coupe le bout * : il finit en *.",
         "El plano en * corta el extremo *: acaba en *.";
     /// A point of each body.
-    OVER: "* of * over * of *", "* von * über * von *", "* de * sur * de *", "* de * sobre * de *";
+    OVER: "* of * and * of *", "* von * und * von *", "* de * et * de *", "* de * y * de *";
     /// A contact: places, depth.
     CONTACT: "Contact: *, * deep.",
         "Kontakt: *, * tief.",

@@ -22,8 +22,8 @@ phrases! {
     /// A step of an advancement: number, moment, separation, normal, speed, bound, what then.
     STEP: "Step *: at * they are * apart along *, closing at **; *.",
         "Schritt *: Bei * sind sie * voneinander entfernt, entlang *, und nähern sich mit **; *.",
-        "Étape * : à *, ils sont à une distance de * le long de * et se rapprochent à ** ; *.",
-        "Paso *: en * están a * a lo largo de * y se acercan a **; *.";
+        "Étape * : à *, ils sont à une distance de * le long de * ; vitesse de rapprochement : ** ; *.",
+        "Paso *: en * están a * a lo largo de *; velocidad de acercamiento: **; *.";
     /// The bound on their speed.
     WITH_TURNING: ", at most * with the turning",
         ", höchstens * mit der Drehung",

@@ -35,6 +35,11 @@ phrases! {
         "Auf die halben Ausdehnungen begrenzt",
         "Borné aux demi-étendues",
         "Limitado a las semiextensiones";
+    /// Nothing is cut off it: the centre is inside.
+    WITHIN: "Within the half-extents",
+        "Innerhalb der halben Ausdehnungen",
+        "Dans les demi-étendues",
+        "Dentro de las semiextensiones";
     /// Where it leads.
     CLOSEST_POINT: "The closest point",
         "Der nächste Punkt",
@@ -58,7 +63,7 @@ phrases! {
     /// The one so far that the origin is least inside of.
     LEAST_DEPTH: "The least depth", "Die kleinste Tiefe", "La plus petite profondeur", "La menor profundidad";
     /// An axis that is tested: edge, body.
-    NORMAL_OF: "The normal of * of *", "Die Normale von * von *", "Normale : * de *", "La normal de * de *";
+    NORMAL_OF: "The normal of * of *", "Die Normale von * von *", "Normale : * de *", "Normal: * de *";
     /// One that separates.
     SEPARATING: "A separating axis", "Eine Trennachse", "Un axe séparateur", "Un eje separador";
     /// A simplex of one vertex.
@@ -128,6 +133,16 @@ phrases! {
         "Die halben Ausdehnungen * begrenzen es auf *.",
         "Les demi-étendues * le bornent à *.",
         "Las semiextensiones * lo limitan a *.";
+    /// V that they leave as it is: half-extents, the circle, the box.
+    IS_WITHIN: "It is within the half-extents *: the centre of * is inside *.",
+        "Es liegt innerhalb der halben Ausdehnungen *: Der Mittelpunkt von * liegt in *.",
+        "Il est dans les demi-étendues * : le centre de * est à l’intérieur de *.",
+        "Está dentro de las semiextensiones *: el centro de * está dentro de *.";
+    /// From where the nearest side is left: point, body, D.
+    NEAREST_SIDE: "The point of the nearest side is * of *; from there D = *.",
+        "Der Punkt der nächsten Seite ist * von *; von dort ist D = *.",
+        "Le point du côté le plus proche est * de * ; de là, D = *.",
+        "El punto del lado más cercano es * de *; desde ahí D = *.";
     /// Where that leads: point, body, the other body, D.
     LEADS_TO: "In the world that leads to *, the point of * closest to *; from there D = *.",
         "In der Welt führt das zu *, dem Punkt von *, der * am nächsten liegt; von dort ist D = *.",
@@ -147,7 +162,7 @@ phrases! {
     NO_FARTHER: "No point of * turns farther than L = θ r = *.",
         "Kein Punkt von * dreht sich weiter als L = θ r = *.",
         "Aucun point de * ne tourne de plus que L = θ r = *.",
-        "Ningún punto de * gira más que L = θ r = *.";
+        "Ningún punto de * se desplaza al girar más que L = θ r = *.";
     /// A step of an advancement: separation, normal.
     APART: "They are * apart along *.",
         "Sie sind * voneinander entfernt, entlang *.",
@@ -156,8 +171,18 @@ phrases! {
     /// How far it is safe: speed, bound, time.
     CLOSE_IN: "They close in at **: nothing touches before t = *.",
         "Sie nähern sich mit **: Nichts berührt sich vor t = *.",
-        "Ils se rapprochent à ** : rien ne se touche avant t = *.",
-        "Se acercan a **: nada se toca antes de t = *.";
+        "Ils se rapprochent à une vitesse de ** : rien ne se touche avant t = *.",
+        "Se acercan a una velocidad de **: nada se toca antes de t = *.";
+    /// How far it is safe where only their turning brings them nearer: bound, time.
+    TURN_IN: "They come nearer by turning alone, at most at *: nothing touches before t = *.",
+        "Nur ihre Drehung nähert sie, höchstens mit *: Nichts berührt sich vor t = *.",
+        "Seule la rotation les rapproche, à une vitesse d’au plus * : rien ne se touche avant t = *.",
+        "Solo el giro los acerca, a una velocidad de a lo sumo *: nada se toca antes de t = *.";
+    /// Steps that are not shown: how many.
+    LEFT_OUT: "Steps in between: *.",
+        "Schritte dazwischen: *.",
+        "Étapes entre les deux : *.",
+        "Pasos intermedios: *.";
     /// No step follows.
     STOPS: "It stops here.", "Hier ist Schluss.", "Fin des étapes.", "Aquí se detiene.";
     /// The vertex on the left: body, vertex.
@@ -195,10 +220,10 @@ phrases! {
     /// There are others as far.
     AMONG_OTHERS: "*, among others", "*, unter anderen", "*, entre autres", "*, entre otros";
     /// A polytope at the beginning.
-    AROUND: "* vertices around the origin",
-        "* Ecken um den Ursprung",
-        "* sommets autour de l’origine",
-        "* vértices alrededor del origen";
+    AROUND: "A polytope of * vertices",
+        "Ein Polytop mit * Ecken",
+        "Un polytope de * sommets",
+        "Un politopo de * vértices";
     /// A simplex of one vertex at the beginning.
     BEGIN_AT: "Begin at *", "Beginn bei *", "Début en *", "Comienzo en *";
     /// A simplex of several.

@@ -1,0 +1,67 @@
+//! What a test of an axis told of it.
+
+use crate::geometry::{DVec2, Enclosure, Feature, Side};
+use crate::trace::Event;
+
+/// An axis that the algorithm tested.
+#[derive(Clone, Copy)]
+pub(super) struct Tested {
+    /// The unit vector along the axis.
+    pub(super) n: DVec2,
+    /// The body whose edge or vertex gave it.
+    pub(super) source: (Side, Feature),
+    /// From the least to the largest n·x of A's points.
+    pub(super) a: Enclosure,
+    /// From the least to the largest n·x of B's points.
+    pub(super) b: Enclosure,
+    /// From A's upper end to B's lower one, negative where B begins before A ends.
+    pub(super) gap: f64,
+}
+
+impl Tested {
+    /// Whether the bodies are apart along it the other way round: all of B lies behind A.
+    pub(super) fn is_behind(&self) -> bool {
+        self.b.hi < self.a.lo
+    }
+}
+
+/// What an event tells of an axis.
+pub(super) fn told(event: &Event) -> Option<Tested> {
+    match *event {
+        Event::AxisTested { axis, source, interval_a, interval_b, gap } => {
+            Some(Tested { n: axis, source, a: interval_a, b: interval_b, gap })
+        }
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::figure::layer::tests::paths;
+    use crate::figure::{draw, plan};
+    use crate::scene::open_text;
+
+    #[test]
+    fn where_b_lies_behind_a_nothing_is_lit_and_an_axis_of_b_ends_at_its_edge() {
+        let drawn = |x: f64, axis: usize| {
+            let text = format!(
+                "shapes.A = {{ kind = 'box', half_extents = [1, 1] }}
+                 shapes.B = {{ kind = 'box', half_extents = [1, 1], position = [{x}, 0.5] }}
+                 query = {{ kind = 'separation', of = ['A', 'B'], algorithm = 'separating-axes' }}
+                 panels = [{{ layers = [{{ layer = 'projection', axis = {axis} }}] }}]"
+            );
+            let scene = open_text("axes", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            draw(&plan, plan.theme, "axes")
+        };
+        let lit = |figure: &crate::figure::Figure| paths(&figure.drawing.items, "lit").len();
+        // Edges 1 to 4 are A's, counted from below: the second faces right, the fourth left.
+        assert_eq!([lit(&drawn(4.0, 2)), lit(&drawn(4.0, 4))], [1, 0]);
+        // The normal of B's left edge: its arrow comes from the left, and ends at x = 0.5.
+        let figure = drawn(1.5, 8);
+        let frame = &figure.panels[0].frame;
+        let bounds = paths(&figure.drawing.items, "normal")[0].contour.bounds().unwrap();
+        let edge = frame.page([0.5, 0.0].into()).x;
+        assert!(bounds.x1 <= edge + 0.5 && bounds.x0 < edge - 5.0, "{bounds:?} {edge}");
+    }
+}

@@ -1,0 +1,168 @@
+//! What a cue says: the title of a step that ends with it, and what happened.
+
+use std::mem::Discriminant;
+use std::sync::Arc;
+
+use crate::scene::Scene;
+use crate::trace::{Event, Voice, growth, step, taken, told};
+
+use super::cue::{Cue, Teller};
+use super::describe::Account;
+use super::runs::{Run, tells_difference};
+
+/// A cue in words.
+pub(super) struct Told {
+    /// The cue.
+    pub(super) cue: Cue,
+    /// The title of a step that ends with it.
+    pub(super) title: String,
+    /// What happened.
+    pub(super) sentence: String,
+    /// Whether a step ends with it.
+    pub(super) ends: bool,
+    /// Whether it is B ⊖ A as another algorithm knows it.
+    pub(super) is_given: bool,
+    /// The kind of event.
+    kind: Discriminant<Event>,
+}
+
+impl Told {
+    /// Whether it may be of the step of the next one: of its run, and not the same again, which follows from
+    /// nothing that the figure shows of this one.
+    pub(super) fn prepares(&self, next: &Self) -> bool {
+        next.cue.is_of_the_run_of(&self.cue) && next.kind != self.kind
+    }
+
+    /// What one of the cues says; `None` where no run has it.
+    pub(super) fn of(
+        (scene, voice): (&Scene, Voice),
+        runs: &[Arc<Run>],
+        (cue, all): (Cue, &[Cue]),
+    ) -> Option<Self> {
+        let (run, event) = runs.iter().find_map(|run| Some((run, run.event_of(&cue)?)))?;
+        let title = step::title(event, cue.part, voice);
+        let is_given = cue.teller != Teller::Own && tells_difference(event);
+        let ends = step::ends_step(event);
+        let kind = std::mem::discriminant(event);
+        let tell = |title, sentence| Self { cue, title, sentence, ends, is_given, kind };
+        Some(match event {
+            Event::DifferenceEdgeFound { .. } | Event::DifferenceRounded { .. }
+                if is_whole(&cue) && run.events().any(tells_edge) =>
+            {
+                let edges = run.events().filter(|event| tells_edge(event)).count();
+                tell(voice.difference(), step::sentence_of_difference(edges, voice))
+            }
+            Event::Finished { .. } => {
+                let of_a_moment = cue.teller == Teller::OtherQuestion;
+                let title = if of_a_moment { step::title_at(cue.asked, voice) } else { title };
+                tell(title, result((scene, voice), runs, run))
+            }
+            Event::SimplexUpdated { .. } | Event::PolytopeExpanded { .. } => {
+                let all = &run.trace.events;
+                let (before, after) = (&all[..cue.event], &all[cue.event + 1..]);
+                let title = growth::title(before, event, after, voice).unwrap_or(title);
+                tell(title, step::sentence_of_part(event, cue.part, voice))
+            }
+            _ => {
+                let title = taken::title(&run.trace.events, cue.event, voice).unwrap_or(title);
+                let end = told::Search::of(run.events()).end(event, voice);
+                let said = || step::sentence_of_part(event, cue.part, voice);
+                let advanced = || advanced((run, event), (cue, all), voice);
+                tell(title, end.or_else(advanced).unwrap_or_else(said))
+            }
+        })
+    }
+}
+
+/// What a step of an advancement says beside its own: how many came before of which the figure shows none, and
+/// how far apart the bodies are, where no mark comes with that and how far it is safe follows from it.
+fn advanced((run, event): (&Run, &Event), (cue, all): (Cue, &[Cue]), voice: Voice) -> Option<String> {
+    let number = |event: &Event| match event {
+        Event::Advanced { step, .. } => Some(*step),
+        _ => None,
+    };
+    let now = number(event)?;
+    let is_before = |other: &&Cue| other.is_of_the_run_of(&cue) && other.event < cue.event;
+    let last = all.iter().filter(is_before).filter_map(|other| number(run.event_of(other)?)).max();
+    let apart = cue.part(step::advanced::APART);
+    let is_first = !all.contains(&apart) || cue == apart;
+    let left_out = last.and_then(|last| now.checked_sub(last + 1)).filter(|&count| is_first && count > 0);
+    let parts = if is_first { apart.part..=cue.part } else { cue.part..=cue.part };
+    let said = left_out.map(|count| step::left_out(count, voice));
+    let own = parts.map(|part| step::sentence_of_part(event, part, voice));
+    Some(said.into_iter().chain(own).collect::<Vec<_>>().join(" "))
+}
+
+/// What a run came to.
+pub(super) fn result((scene, voice): (&Scene, Voice), runs: &[Arc<Run>], run: &Run) -> String {
+    let beside = |other: &&Arc<Run>| other.time == run.time && other.separation().is_some();
+    let other = runs.iter().find(beside).map(Arc::as_ref);
+    Account::beside(scene, run, other).sentence_of_bodies(voice.names)
+}
+
+/// Whether a cue of B ⊖ A is that of the whole.
+fn is_whole(cue: &Cue) -> bool {
+    cue.teller != Teller::Own || cue.part == step::WHOLE
+}
+
+/// Whether an event tells an edge of B ⊖ A.
+fn tells_edge(event: &Event) -> bool {
+    matches!(event, Event::DifferenceEdgeFound { .. })
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::drawing::Step;
+    use crate::figure::{Fault, draw, draw_in_steps, plan};
+    use crate::scene::open_text;
+
+    /// The steps of a question about two bodies, drawn as we choose.
+    fn steps(a: &str, b: &str, query: &str) -> Vec<Step> {
+        let text =
+            format!("shapes.A = {{ {a} }}\nshapes.B = {{ {b} }}\nquery = {{ of = ['A', 'B'], {query} }}");
+        let scene = open_text("s", &text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        draw_in_steps(&plan, plan.theme, "f").drawing.steps
+    }
+
+    #[test]
+    fn what_is_known_beside_the_answer_comes_with_it_and_is_said_once() {
+        let ball = "kind = 'circle', radius = 0.6, position = [1.4, 1.1]";
+        let all =
+            steps("kind = 'aabb', half_extents = [1, 0.5]", ball, "kind = 'overlap', algorithm = 'clamp'");
+        let titles: Vec<&str> = all.iter().map(|step| step.title.as_str()).collect();
+        let [first, .., last] = titles[..] else { panic!("{titles:?}") };
+        assert_eq!((first, titles[1], last), ("The question", "From centre to centre", "The answer"));
+        let ground = "kind = 'polygon', vertices = [[-3, -1], [3, -0.6], [3, 0.2], [-3, 0]]";
+        let all = steps(ground, "kind = 'circle', radius = 0.5, position = [0.4, 0.5]", "kind = 'contact'");
+        let last = all.last().unwrap();
+        assert_eq!((last.title.as_str(), last.sentences.len()), ("The answer", 1), "{last:?}");
+    }
+
+    #[test]
+    fn a_step_of_an_advancement_says_what_it_follows_from_and_how_many_are_left_out() {
+        let a = "kind = 'box', half_extents = [1.5, 0.08], angular_velocity_deg = 100";
+        let b = "kind = 'regular-polygon', edges = 5, circumradius = 0.4, position = [0.9, 1.3]";
+        let all = steps(a, b, "kind = 'time-of-impact', algorithm = 'conservative-advancement'");
+        let said: Vec<String> = all.iter().map(|step| step.sentences.join(" ")).collect();
+        let safe = |said: &&String| said.contains("nothing touches before");
+        assert!(said.iter().filter(safe).count() > 2, "{said:?}");
+        assert!(said.iter().filter(safe).all(|said| said.contains("apart along")), "{said:?}");
+        assert!(said.iter().any(|said| said.starts_with("Steps in between: ")), "{said:?}");
+    }
+
+    #[test]
+    fn words_for_steps_that_are_not_there_are_told_where_the_figure_is_in_steps() {
+        let text = "shapes.A = { kind = 'circle', radius = 1 }
+            shapes.B = { kind = 'circle', radius = 1, position = [3, 1] }
+            query = { kind = 'separation', of = ['A', 'B'] }
+            steps = [{ until = 99 }, { title = 'never' }]";
+        let scene = open_text("s", text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let in_steps = draw_in_steps(&plan, plan.theme, "f");
+        let is_it = |fault: &Fault| matches!(fault, Fault::NoStepLeft { .. });
+        let told: Vec<_> = in_steps.warnings.iter().filter(|w| is_it(&w.fault)).collect();
+        assert_eq!(told.iter().map(|w| &text[w.span.clone()]).collect::<Vec<_>>(), ["{ title = 'never' }"]);
+        assert!(draw(&plan, plan.theme, "f").warnings.iter().all(|warning| !is_it(&warning.fault)));
+    }
+}
