@@ -1,8 +1,6 @@
 //! B ⊖ A in configuration space: its area, its edges in the colour of the body that each comes from (B's
 //! cased). Its vertices have marks where the layer "vertices" names them. Round bodies make it an arc.
 
-use std::collections::BTreeSet;
-
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::cue::Cue;
@@ -10,20 +8,21 @@ use crate::figure::difference::{Difference, Edge};
 use crate::figure::runs::tells_difference;
 use crate::figure::sketch::{Anchor, Label, Pen, Piece, Rank, Size, Sketch, Wash, Weight};
 use crate::figure::text::number;
-use crate::geometry::{DVec2, Feature, Side};
-use crate::trace::{Culling, Event, phrase};
+use crate::geometry::{DVec2, Side};
+use crate::trace::{Event, phrase};
 
 use crate::scene::When;
 
 use super::difference_name::{called, name};
 use super::edge_cues::EdgeCues;
+use super::facing::{faces_away, velocity_along};
 use super::half_extents::ON_LINE;
 use super::held;
 use super::step_numbers::step_numbers;
 use super::unbuilt::unbuilt;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, STEPS, Shows, Takes, Tells, fade, number_of};
 
-/// Width, page pixels, and opacity of an edge that the algorithm skipped.
+/// Width, page pixels, and opacity of an edge that faces away from the ray.
 const THIN: (f64, f64) = (1.25, 0.5);
 
 /// How many iterations are drawn at most; more are a blur.
@@ -109,7 +108,9 @@ pub(super) const LAYER: Layer = Layer {
         }
         _ => {
             let time = when(context, options).unwrap_or(context.difference_time());
-            Fed::by_the_scene(difference(context, time).is_some())
+            let fed = Fed::by_the_scene(difference(context, time).is_some());
+            let is_without = fed == Fed::Yes && is_culled(options) && velocity_along(context).is_none();
+            if is_without { Fed::Without { option: "culled", why: "there is no ray" } } else { fed }
         }
     },
     draw,
@@ -202,9 +203,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
     let cues = EdgeCues::at(context, time);
     area(sketch.since(cues.whole), options, &found);
-    let skipped = if options.word("culled", "same") == "thin" { culled(context) } else { BTreeSet::new() };
+    let away = is_culled(options).then(|| faces_away(context));
     edges(sketch, &found, |edge, pen| {
-        let thin = skipped.contains(&(edge.source == Side::B, edge.index));
+        let thin = away.as_ref().is_some_and(|away| away(edge));
         let pen = if thin { pen.width(THIN.0).opacity(THIN.1) } else { pen };
         (pen, cues.of(edge))
     });
@@ -282,16 +283,9 @@ fn sources(sketch: &mut Sketch, context: &Context, found: &Difference) {
     }
 }
 
-/// The edges that the ray was not tested against: whether they are B's, and their numbers.
-pub(super) fn culled(context: &Context) -> BTreeSet<(bool, usize)> {
-    let run = context.run();
-    let skipped = run.told(|event| match *event {
-        Event::RayClipped { source: (side, Feature::Edge(index)), outcome: Culling::BackFacing, .. } => {
-            Some((side == Side::B, index))
-        }
-        _ => None,
-    });
-    skipped.collect()
+/// Whether the scene wants edges thin that face away from the ray.
+fn is_culled(options: &Options) -> bool {
+    options.word("culled", "same") == "thin"
 }
 
 /// Draws every iteration's difference, fainter the earlier; the last one whole.
@@ -342,6 +336,40 @@ mod tests {
             let filled = |path: &&&Path| path.fill.is_some() && path.stroke.is_none();
             let found = ["vertices", "vertex"].map(|part| paths(&figure.drawing.items, part));
             assert_eq!(found.iter().flatten().filter(filled).count(), marks, "{layers}");
+        }
+    }
+
+    #[test]
+    fn edges_that_face_away_from_the_ray_are_thin_and_of_a_segment_one_of_its_two() {
+        let pairs = [
+            "shapes.A = { kind = 'capsule', points = [[-1, 0], [1, 0]], radius = 0, velocity = [2, -6],
+                position = [0, 4] }
+            shapes.B = { kind = 'capsule', points = [[0, -1], [0, 1]], radius = 0 }",
+            "shapes.A = { kind = 'box', half_extents = [1, 0.5], velocity = [4, -3], position = [-4, 3] }
+            shapes.B = { kind = 'box', half_extents = [1, 1], angle_deg = 20 }",
+        ];
+        for (pair, algorithm, wanted) in [
+            (pairs[0], "'ray-cast'", (2, 4)),
+            (pairs[1], "'ray-cast'", (4, 8)),
+            (pairs[1], "'ray-clipping'", (4, 8)),
+        ] {
+            let text = format!(
+                "{pair}
+                query = {{ kind = 'linear-sweep', of = ['A', 'B'], algorithm = {algorithm} }}
+                panels = [{{ space = 'configuration', time = 'start',
+                    layers = [{{ layer = 'difference', culled = 'thin' }}] }}]"
+            );
+            let scene = open_text("culled", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let context = plan.panels[0].context(&scene, &plan.runs);
+            let (found, away) = (difference(&context, 0.0).unwrap(), faces_away(&context));
+            let count = found.edges.iter().filter(|edge| away(edge)).count();
+            assert_eq!((count, found.edges.len()), wanted, "{algorithm}");
+            // A's edges are plain lines.
+            let drawn = draw(&plan, plan.theme, "culled");
+            let widths = paths(&drawn.drawing.items, "edges-A");
+            let thin = widths.iter().filter(|path| path.stroke.as_ref().unwrap().width == THIN.0).count();
+            assert_eq!((thin, widths.len()), (wanted.0 / 2, wanted.1 / 2), "{algorithm}");
         }
     }
 

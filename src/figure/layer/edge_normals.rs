@@ -1,6 +1,6 @@
 //! The outward unit normals nᵢ of the edges of B ⊖ A. A ray enters only through edges whose normal looks
-//! against it, v · nᵢ < 0: those that it was not tested against for that have their normals muted. The letter
-//! n without a number is the normal from A to B, which is against that of the edge that faces.
+//! against it, v · nᵢ < 0: the others have their normals muted. The letter n without a number is the normal
+//! from A to B, which is against that of the edge that faces.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -8,11 +8,12 @@ use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::difference::{Difference, Edge};
 use crate::figure::sketch::{Anchor, Label, Pen, Rank, Size, Sketch, Weight, angle_of};
-use crate::geometry::{DVec2, Side};
+use crate::geometry::DVec2;
 use crate::trace::phrase;
 
-use super::difference::{culled, difference};
+use super::difference::difference;
 use super::edge_cues::EdgeCues;
+use super::facing::{faces_away, velocity_along};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 /// Width, page pixels, and opacity of the normals of edges that face away: one of either kind has words.
@@ -69,7 +70,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(found) = found(context) else { return };
     let length = options.number("length").unwrap_or(1.0_f64.max(sketch.px(LEAST)));
     let role = options.role(Role::Ink);
-    let (skipped, v) = (culled(context), context.closing_velocity());
+    let (v, away) = (velocity_along(context).unwrap_or_default(), faces_away(context));
     let cues = EdgeCues::at(context, context.difference_time());
     let hit = hit(context);
     let arrow = |edge: &Edge| {
@@ -79,7 +80,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     };
     let arrows: Vec<(DVec2, DVec2)> = found.edges.iter().map(arrow).collect();
     for (edge, &(from, tip)) in found.edges.iter().zip(&arrows) {
-        let away = skipped.contains(&(edge.source == Side::B, edge.index));
+        let away = away(edge);
         let pen = Pen::vector(if away { Role::Muted } else { role });
         sketch.since(cues.of(edge)).part(if away { "away" } else { "facing" }).weight(Weight::Light);
         sketch.arrow(from, tip, if away { pen.width(AWAY.0).opacity(AWAY.1) } else { pen });
@@ -155,7 +156,11 @@ mod tests {
             shapes.B = { kind = 'box', half_extents = [1, 1], position = [4, 3] }
             panels = [{ space = 'configuration', layers = ['edge-normals'] }]
             query = { of = ['A', 'B'], kind = ";
-        for (kind, away) in [("'linear-sweep' }", 4), ("'separation', algorithm = 'minkowski' }", 0)] {
+        for (kind, away) in [
+            ("'linear-sweep' }", 4),
+            ("'linear-sweep', algorithm = 'ray-clipping' }", 4),
+            ("'separation', algorithm = 'minkowski' }", 0),
+        ] {
             let scene = open_text("normals", &format!("{squares}{kind}")).unwrap().scene;
             let plan = plan(&scene).unwrap();
             let figure = draw(&plan, plan.theme, "normals");
@@ -164,6 +169,21 @@ mod tests {
             assert_eq!((count("away"), count("facing")), (away, 8 - away), "{kind}");
             assert!(labels(&figure).contains_key("n"));
         }
+    }
+
+    #[test]
+    fn of_the_two_edges_of_a_segment_one_looks_against_the_ray() {
+        let text =
+            "shapes.A = { kind = 'capsule', points = [[-1, 0], [1, 0]], radius = 0.1, position = [0, 4],
+                velocity = [2, -6] }
+            shapes.B = { kind = 'capsule', points = [[0, -1], [0, 1]], radius = 0 }
+            query = { kind = 'linear-sweep', of = ['A', 'B'] }
+            panels = [{ space = 'configuration', layers = ['edge-normals'] }]";
+        let scene = open_text("segments", text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "segments");
+        let count = |part| paths(&figure.drawing.items, part).len() / 2;
+        assert_eq!((count("away"), count("facing")), (2, 2));
     }
 
     #[test]

@@ -27,6 +27,7 @@ mod edge_fan;
 mod edge_normals;
 mod enlarged;
 mod expected;
+mod facing;
 mod fastest_approach;
 mod feature;
 mod fed;

@@ -13,6 +13,7 @@ use crate::geometry::{DVec2, Side};
 use crate::scene::When;
 use crate::trace::{Culling, Event, phrase};
 
+use super::facing::velocity_along;
 use super::held;
 use super::velocity::{label_of_hit, text, until_hit};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
@@ -75,10 +76,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "end", about: "the time where it ends, with ends" },
     ],
     needs: "a question for the first contact of bodies that move relative to each other and do not turn",
-    fed: |context, _| {
-        let still = context.closing_velocity() == DVec2::ZERO;
-        Fed::by_the_scene(context.asks_for_a_hit() && !context.turns() && !still)
-    },
+    fed: |context, _| Fed::by_the_scene(velocity_along(context).is_some()),
     draw,
 };
 
