@@ -13,6 +13,9 @@ use crate::geometry::{DVec2, Pose};
 /// What a panel shows, its smallest and largest coordinates in its own space; `None` where it shows nothing.
 pub(crate) type Extent = Option<(DVec2, DVec2)>;
 
+/// How far heads and ticks reach beyond the ends of lines, page pixels.
+const ENDS: f64 = 7.0;
+
 /// What holds both.
 pub(crate) fn union(a: Extent, b: Extent) -> Extent {
     match (a, b) {
@@ -76,6 +79,12 @@ impl Frame {
         let off = self.panel.center() - self.middle;
         let center = self.center + DVec2::new(off.dx, -off.dy) / self.scale;
         (center - half, center + half)
+    }
+
+    /// Whether all that an extent reaches is in view, with what is at its ends.
+    pub(crate) fn holds(&self, extent: Extent) -> bool {
+        let ((lo, hi), edge) = (self.visible(), DVec2::splat(ENDS / self.scale));
+        extent.is_none_or(|(from, to)| lo.cmple(from - edge).all() && to.cmple(hi - edge).all())
     }
 
     /// Angle of the shown body's frame in the world, radians, counter-clockwise; 0 in other panels.

@@ -3,10 +3,8 @@
 //! The finished figure has none of it, so its page is fitted without. Drawn in steps it would be cut off at
 //! the edges of a panel, where a bar's end is not its end.
 
-use crate::geometry::DVec2;
-
 use super::fault::Problem;
-use super::frame::{Extent, Frame, union};
+use super::frame::union;
 use super::kept::Kept;
 use super::plan::Plan;
 use super::view;
@@ -14,8 +12,6 @@ use super::view;
 /// How often the page is fitted again at most: what is drawn at a distance in page pixels reaches elsewhere
 /// in a smaller scale.
 const PASSES: usize = 3;
-/// How far heads and ticks reach beyond the ends of lines, page pixels.
-const ENDS: f64 = 7.0;
 
 impl Plan<'_> {
     /// Makes room on the page for what comes and goes with the steps of a figure: a panel without a `view`
@@ -48,7 +44,7 @@ impl Plan<'_> {
             let sketched = view::sketch(self.scene, &self.runs, self.theme, &self.panels).map_err(one)?;
             let mut is_cut = false;
             for (panel, sketched) in self.panels.iter_mut().zip(sketched) {
-                if panel.source.view.is_none() && !holds(&sketched.frame, sketched.passed) {
+                if panel.source.view.is_none() && !sketched.frame.holds(sketched.passed) {
                     panel.reach = union(panel.reach, sketched.passed);
                     is_cut = true;
                 }
@@ -61,12 +57,6 @@ impl Plan<'_> {
         }
         Ok(self)
     }
-}
-
-/// Whether all that an extent reaches is in view, with what is at its ends.
-fn holds(frame: &Frame, extent: Extent) -> bool {
-    let ((lo, hi), edge) = (frame.visible(), DVec2::splat(ENDS / frame.scale));
-    extent.is_none_or(|(from, to)| lo.cmple(from - edge).all() && to.cmple(hi - edge).all())
 }
 
 #[cfg(test)]

@@ -21,6 +21,9 @@ use super::theme::Theme;
 /// figures, their views taken away, one more pass moves the corner of a panel by up to 17 page pixels after
 /// two, where dimensions stand side by side (box-box), and by 5 elsewhere; a label has 40 of room.
 const PASSES: usize = 2;
+/// How often at most, where a panel without a `view` does not hold all that it draws: lines beside a small
+/// drawing that take the most of its panel come near their places in more passes.
+const MOST_PASSES: usize = 12;
 /// Half the width and height of what is shown about a lone point, world units: wide and low, as it and its
 /// labels are.
 const NOTHING: DVec2 = DVec2::new(1.0, 0.3);
@@ -30,8 +33,9 @@ const ABOVE: f64 = 100.0;
 /// Gives every panel its frame on a page that suits what they show, and says what their layers draw there.
 ///
 /// A view is known only once its layers have drawn, and they draw in a view: so a panel without a `view` is
-/// sketched three times, in a first guess and in two better ones, of which the last stays. Where every panel
-/// has a `view`, once. [`draw`](super::draw::draw) sketches it again where another theme is asked for.
+/// sketched three times, in a first guess and in two better ones, of which the last stays; more often where
+/// that cuts something off. Where every panel has a `view`, once. [`draw`](super::draw::draw) sketches it
+/// again where another theme is asked for.
 ///
 /// # Errors
 ///
@@ -46,7 +50,10 @@ pub(super) fn fit(
     let guesses: Vec<Extent> = panels.iter().map(|panel| first_guess(scene, panel)).collect();
     let mut page = arrange(scene, layout, panels, &guesses);
     let mut sketched = sketch(scene, runs, theme, panels)?;
-    for _ in 0..PASSES {
+    for pass in 0..MOST_PASSES {
+        if pass >= PASSES && !panels.iter().zip(&sketched).any(is_cut) {
+            break;
+        }
         let extents = extents(panels, &sketched, &guesses);
         if extents.iter().all(Option::is_none) {
             break;
@@ -64,6 +71,11 @@ pub(super) fn fit(
         panel.keep_inset((scene, runs), theme, sketched);
     }
     Ok((sketched, page))
+}
+
+/// Whether a panel that shows what it draws does not hold all of it. A chart fills its panel in any view.
+fn is_cut((panel, sketched): (&PanelPlan, &Sketched)) -> bool {
+    panel.source.view.is_none() && !panel.is_chart() && !sketched.frame.holds(sketched.extent)
 }
 
 /// Makes panels that lack room for an inset reach higher; whether one does.
@@ -212,6 +224,25 @@ mod tests {
             let sketched = sketch(plan.scene, &plan.runs, plan.theme, &plan.panels).unwrap();
             let insets = plan.panels.iter().zip(&sketched).filter_map(|(panel, s)| panel.inset(s, None));
             assert_eq!(insets.count(), 2, "{text}");
+        }
+    }
+
+    #[test]
+    fn a_view_holds_lines_beside_a_drawing_that_take_the_most_of_its_panel() {
+        for width in [240, 310, 620] {
+            let text = format!(
+                "shapes.A = {{ kind = 'aabb', half_extents = [1, 1] }}
+                shapes.B = {{ kind = 'aabb', half_extents = [0.2, 0.2], position = [0.3, 0.1] }}
+                query = {{ kind = 'overlap', of = ['A', 'B'], algorithm = 'extents' }}
+                canvas = {{ width = {width} }}
+                panels = [{{ layers = ['shapes', 'axis-gaps'] }}, {{ layers = ['shapes', 'separation'] }}]"
+            );
+            let scene = crate::scene::open_text("s.toml", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let sketched = sketch(plan.scene, &plan.runs, plan.theme, &plan.panels).unwrap();
+            assert!(!plan.panels.iter().zip(&sketched).any(is_cut), "{width}");
+            // The boxes are still seen: A is two units wide.
+            assert!(plan.panels[0].frame.scale > 15.0, "{width}: {}", plan.panels[0].frame.scale);
         }
     }
 

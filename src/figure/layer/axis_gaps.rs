@@ -22,6 +22,10 @@ const BELOW: f64 = 40.0;
 /// Distance of the tracks to the right from the boxes, page pixels: clear of their outlines.
 const BESIDE: f64 = 30.0;
 
+/// How much of a panel's width the tracks to the right take at most: in a narrow panel they lie closer, and
+/// the boxes keep their room.
+const SHARE: f64 = 0.4;
+
 /// From one lane to the next, page pixels: bars side by side, and not one.
 const LANE: f64 = 26.0;
 
@@ -163,11 +167,13 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let (centers, half) = ([c[0].y, c[1].y], [h[0].y, h[1].y]);
         let extents = Extents { name: 'y', centers, half, gap: gap.y, role: role(gap.y) };
         let right = (c[0].x + h[0].x).max(c[1].x + h[1].x);
+        let (lo, hi) = sketch.visible();
+        let step = sketch.px(BESIDE).min(SHARE * (hi.x - lo.x) / LAST[0]);
         axis(
             sketch,
             (context, options),
             extents,
-            &Place { edge: right, step: sketch.px(BESIDE), axis: 'y' },
+            &Place { edge: right, step, axis: 'y' },
             [0, 1].map(|k| [c[k].x, c[k].x + h[k].x]),
         );
     }
