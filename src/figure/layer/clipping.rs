@@ -29,6 +29,9 @@ const ASIDE: f64 = 0.8;
 /// The words of the option `show`, in the order in which a reader needs them.
 const PARTS: [&str; 4] = ["edges", "planes", "cut", "depths"];
 
+/// Why of a circle only the depth is drawn.
+const NOT_CLIPPED: &str = "the bodies touch at one point, and no edge is clipped";
+
 pub(super) const LAYER: Layer = Layer {
     name: "clipping",
     in_words: phrase(["clipping", "Beschneiden", "découpage", "recorte"]),
@@ -54,12 +57,30 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "no-contact", about: "an end above the reference edge" },
     ],
     needs: "a query for the contact",
-    fed: |context, _| {
-        let ever = context.scene.query.algorithm.kinds.contains(&crate::collision::QueryKind::Contact);
-        Fed::by_the_answer(shown(context).is_some() || !ends_told(context).is_empty(), ever)
-    },
+    fed,
     draw,
 };
+
+/// Whether the answer has points of contact, and what the scene wants of them: a circle touches at one point,
+/// and no edge is clipped.
+fn fed(context: &Context, options: &Options) -> Fed {
+    let asked = |part: &&&'static str| options.shows("show", part, false);
+    match shown(context) {
+        Some(found) if asked(&&"cut") && found.cuts.is_empty() => {
+            Fed::Without { option: "cut", why: "no plane cuts anything off" }
+        }
+        Some(_) => Fed::Yes,
+        None if ends_told(context).is_empty() => {
+            let ever = context.scene.query.algorithm.kinds.contains(&crate::collision::QueryKind::Contact);
+            Fed::by_the_answer(false, ever)
+        }
+        None if !options.shows("show", "depths", true) => Fed::NotHere(NOT_CLIPPED),
+        None => match PARTS[..3].iter().find(asked) {
+            Some(option) => Fed::Without { option, why: NOT_CLIPPED },
+            None => Fed::Yes,
+        },
+    }
+}
 
 /// What was clipped, in the world, at the bodies' surfaces.
 struct Clipping {

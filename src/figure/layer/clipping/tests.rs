@@ -90,3 +90,30 @@ fn bodies_apart_leave_nothing_to_clip_and_the_figure_says_why() {
     assert!(depths.is_empty() && paths(&figure.drawing.items, "reference").is_empty());
     assert!(figure.warnings.iter().any(|w| w.fault.to_string().contains("apart")), "{:?}", figure.warnings);
 }
+
+#[test]
+fn parts_that_are_asked_for_and_are_not_there_are_told() {
+    let told = |b: &str, show: &str| {
+        let text = format!(
+            "shapes.A = {{ kind = 'box', half_extents = [3, 0.5] }}
+            shapes.B = {{ {b} }}
+            query = {{ kind = 'contact', of = ['A', 'B'] }}
+            panels = [{{ layers = ['shapes', {{ layer = 'clipping', show = {show} }}] }}]"
+        );
+        let scene = open_text("parts", &text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let drawn = paths(&draw(&plan, plan.theme, "parts").drawing.items, "depth").len();
+        let notes = plan.warnings.iter().map(|note| note.fault.to_string()).collect::<Vec<_>>().join("; ");
+        (notes, drawn > 0)
+    };
+    let circle = "kind = 'circle', radius = 1, position = [0, 1.25]";
+    let why = "draws nothing: the bodies touch at one point, and no edge is clipped";
+    assert_eq!(told(circle, "['edges', 'cut']"), (format!("`clipping` {why}"), false));
+    assert_eq!(told(circle, "['depths', 'edges']"), (format!("`edges` of `clipping` {why}"), true));
+    assert_eq!(told(circle, "['depths']"), (String::new(), true));
+    let on_top = "kind = 'box', half_extents = [1, 1], position = [0, 1.25]";
+    let why = "`cut` of `clipping` draws nothing: no plane cuts anything off";
+    assert_eq!(told(on_top, "['edges', 'cut', 'depths']"), (why.to_owned(), true));
+    let over = "kind = 'box', half_extents = [1, 1], position = [3, 1.25]";
+    assert_eq!(told(over, "['edges', 'cut', 'depths']"), (String::new(), true));
+}
