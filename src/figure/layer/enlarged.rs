@@ -46,7 +46,8 @@ fn framed(context: &Context, options: &Options) -> Option<[DVec2; 2]> {
 }
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
-    let Some([lo, hi]) = framed(context, options) else { return };
+    // An inset is a detail of the panel, in which the frame stands already.
+    let Some([lo, hi]) = framed(context, options).filter(|_| sketch.has_numbers()) else { return };
     // Of a panel that frames itself the line lies within the view, which would cut it in half.
     let (least, most, pen) = (sketch.visible().0, sketch.visible().1, DVec2::splat(sketch.px(1.0)));
     let (lo, hi) = (lo.max(least + pen), hi.min(most - pen));
@@ -107,6 +108,19 @@ mod tests {
             assert!(bounds.x0 > panel.x0 + 0.5 && bounds.x1 < panel.x1 - 0.5, "{bounds:?} in {panel:?}");
             assert!(bounds.y0 > panel.y0 + 0.5 && bounds.y1 < panel.y1 - 0.5, "{bounds:?} in {panel:?}");
         }
+    }
+
+    #[test]
+    fn the_frame_stands_in_the_panel_and_not_in_its_inset() {
+        let text = "shapes.A = { kind = 'circle', radius = 1 }
+            query = { kind = 'bounds', of = ['A'] }
+            panels = [{ view = [-4, -2, 4, 2], layers = ['shapes', 'enlarged'],
+                    inset = [0.6, -0.4, 1.4, 0.4] },
+                { view = [0.9, -0.1, 1.1, 0.1], layers = ['shapes'] }]";
+        let scene = open_text("enlarged", text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "enlarged");
+        assert_eq!((figure.insets.len(), paths(&figure.drawing.items, "around").len()), (1, 4));
     }
 
     #[test]
