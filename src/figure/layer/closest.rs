@@ -63,9 +63,34 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "half-turn", about: "the half turn about O, with turned" },
     ],
     needs: "two convex bodies",
-    fed: |context, _| Fed::by_the_scene(nearest(context).is_some()),
+    fed: |context, options| nearest(context).map_or(Fed::Never, |found| beside(context, options, &found)),
     draw,
 };
+
+/// Whether all that a scene wants beside the way can be drawn.
+fn beside(context: &Context, options: &Options, Nearest { foot, overlap, .. }: &Nearest) -> Fed {
+    let wants = |option: &&'static str| options.flag(option, false);
+    let without = |option, why| Fed::Without { option, why };
+    if let Some(option) = ["rival", "pushed"].into_iter().find(wants).filter(|_| !overlap) {
+        return without(option, "the bodies do not overlap");
+    }
+    let (from, found) = (context.estimate(), difference(context, context.difference_time()));
+    let lacks = |option| {
+        wants(&option)
+            && match (&found, option) {
+                (Some(found), "rival") => longer_way(found, from, foot.length()).is_none(),
+                (Some(found), _) => facing(found, from, *foot).is_none(),
+                (None, _) => true,
+            }
+    };
+    if lacks("rival") {
+        return without("rival", "there is no longer way that is a local minimum");
+    }
+    if lacks("pushed") {
+        return without("pushed", "the nearest point is on no edge");
+    }
+    Fed::Yes
+}
 
 /// How far a point of the outline may be from the edge that it lies on, in parts of its distance from the
 /// origin: both are rounded a few times.
@@ -266,6 +291,38 @@ mod tests {
         assert_eq!(paths(&figure.drawing.items, "right-angle").len(), 2, "one in either panel");
         // The label of the last panel, where the scene gives it a text.
         assert_eq!(labels(&figure)["d"].0, "out");
+    }
+
+    #[test]
+    fn a_rival_and_a_pushed_edge_that_are_not_there_are_told() {
+        let told = |bodies: &str, option: &str| {
+            let text = format!(
+                "{bodies}
+                query = {{ kind = 'separation', of = ['A', 'B'] }}
+                panels = [{{ space = 'configuration', layers = ['difference',
+                    {{ layer = 'closest', {option} = true }}] }}]"
+            );
+            let scene = open_text("told.toml", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let drawn = paths(&draw(&plan, plan.theme, "told").drawing.items, option).len();
+            let notes = plan.warnings.iter().map(|note| note.fault.to_string()).collect::<String>();
+            assert_eq!(notes.is_empty(), drawn > 0, "{notes}");
+            notes
+        };
+        let circles = "shapes.A = { kind = 'circle', radius = 2 }
+            shapes.B = { kind = 'circle', radius = 1, position = [1, 0.5] }";
+        let boxes = "shapes.A = { kind = 'box', half_extents = [2, 1] }
+            shapes.B = { kind = 'box', half_extents = [1, 1], position = [0.5, 1.5] }";
+        let apart = boxes.replace("1.5]", "2.5]");
+        for (option, why) in [
+            ("rival", "there is no longer way that is a local minimum"),
+            ("pushed", "the nearest point is on no edge"),
+        ] {
+            let begin = format!("`{option}` of `closest` draws nothing: ");
+            assert_eq!(told(circles, option), format!("{begin}{why}"));
+            assert_eq!(told(&apart, option), format!("{begin}the bodies do not overlap"));
+            assert_eq!(told(boxes, option), "");
+        }
     }
 
     #[test]

@@ -84,7 +84,10 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "kink", about: "the sharpest kink of that curve, with kink" },
     ],
     needs: "a first step of an advancement: a question for the first contact of bodies that are apart",
-    fed: |context, _| Fed::by_the_answer(first(context).is_some(), context.asks_for_a_hit()),
+    fed: |context, options| match first(context) {
+        Some(_) => kinks::fed(context, options, || apart(context, options)),
+        None => Fed::by_the_answer(false, context.asks_for_a_hit()),
+    },
     draw,
 };
 
@@ -146,11 +149,21 @@ fn parts(context: &Context, first: &First) -> Vec<Part> {
     parts
 }
 
+/// Whether the scene wants the curve of how near they come in fact.
+fn is_real(options: &Options) -> bool {
+    options.flag("real", true)
+}
+
+/// The separations of that curve, up to the hit.
+fn apart(context: &Context, options: &Options) -> Vec<DVec2> {
+    let until = context.hit_time().map_or(1.0, |hit| hit.lo);
+    if is_real(options) { separations(context, until, &[]) } else { Vec::new() }
+}
+
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(first) = first(context) else { return };
-    let hit = context.hit_time();
-    let real = options.flag("real", true);
-    let apart = if real { separations(context, hit.map_or(1.0, |hit| hit.lo), &[]) } else { Vec::new() };
+    let (hit, apart) = (context.hit_time(), apart(context, options));
+    let real = is_real(options);
     let closed = |separation: f64| first.distance - separation;
     let nearer: Vec<DVec2> = apart.iter().map(|p| DVec2::new(p.x, closed(p.y))).collect();
     let parts = parts(context, &first);
@@ -284,8 +297,8 @@ fn touch(sketch: &mut Sketch, (chart, end): (&Chart, DVec2), first: &First, hit:
 
 #[cfg(test)]
 mod tests {
-    use crate::drawing::{Contour, Item, Path, Point, Segment};
-    use crate::figure::layer::tests::{labels, paths};
+    use crate::drawing::{Item, Point};
+    use crate::figure::layer::tests::{labels, paths, points};
     use crate::figure::{Figure, draw, plan};
     use crate::scene::open_text;
 
@@ -302,13 +315,6 @@ mod tests {
         let scene = open_text("chart", &text).unwrap().scene;
         let plan = plan(&scene).map_err(|problems| format!("{problems:?}"))?;
         Ok(draw(&plan, plan.theme, "chart"))
-    }
-
-    /// The points of a path, in its order.
-    fn points(path: &Path) -> Vec<Point> {
-        let Contour::Segments(segments) = &path.contour else { return Vec::new() };
-        let point = |s: &Segment| if let Segment::Move(p) | Segment::Line(p) = *s { Some(p) } else { None };
-        segments.iter().filter_map(point).collect()
     }
 
     /// The points of the first path of a part.

@@ -104,7 +104,10 @@ pub(super) const LAYER: Layer = Layer {
     ],
     needs: "an algorithm that advances in steps: `conservative-advancement` of a time of impact, \
             `ray-clipping` of a linear sweep",
-    fed: |context, _| Fed::by_the_scene(!steps(context).is_empty()),
+    fed: |context, options| match steps(context).as_slice() {
+        [] => Fed::Never,
+        all => kinks::fed(context, options, || curve(context, all).1),
+    },
     draw,
 };
 
@@ -132,12 +135,21 @@ fn steps(context: &Context) -> Vec<Step> {
     context.run().told(told).collect()
 }
 
+/// Until when the graph runs, and the separations up to then, those of the steps among them.
+fn curve(context: &Context, all: &[Step]) -> (f64, Vec<DVec2>) {
+    let last = all.last().map(|step| step.time).filter(|time| context.hit_time().is_some() && *time > 0.0);
+    let until = last.unwrap_or(1.0);
+    let times: Vec<f64> = all.iter().take(MOST).map(|step| step.time).collect();
+    (until, separations(context, until, &times))
+}
+
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let all = steps(context);
-    let Some(last) = all.last() else { return };
-    let until = if context.hit_time().is_some() && last.time > 0.0 { last.time } else { 1.0 };
-    let times: Vec<f64> = all.iter().take(MOST).map(|step| step.time).collect();
-    let points = kinks::kept(context, &separations(context, until, &times));
+    if all.is_empty() {
+        return;
+    }
+    let (until, points) = curve(context, &all);
+    let points = kinks::kept(context, &points);
     let highest = points.iter().map(|p| p.y).fold(all[0].separation, f64::max);
     let values = options.flag("values", false);
     let [left, right, below, above] = ROOM;

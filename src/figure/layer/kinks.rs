@@ -8,6 +8,7 @@ use crate::figure::sketch::{Anchor, Label, Marker, Rank, SMALL_MARKER, Size, Ske
 use crate::geometry::{DVec2, Feature, Side, sort_by};
 
 use super::chart::Chart;
+use super::{Fed, Options};
 
 /// How often the time between two samples is halved: to far below a pixel of any chart.
 const HALVINGS: usize = 40;
@@ -54,6 +55,14 @@ pub(super) fn mark(
     let lines = lines.map(str::to_owned).to_vec();
     let label = Label { lines, ..Label::new("kink", "", anchor, Role::Ink) };
     sketch.label(label.rank(Rank::Word).size(Size::Note));
+}
+
+/// Fed, but for kinks that a scene asks for and a curve of separations has not, sampled at `points`.
+pub(super) fn fed(context: &Context, options: &Options, points: impl FnOnce() -> Vec<DVec2>) -> Fed {
+    if options.flag("kink", false) && turns(context, &points()).is_empty() {
+        return Fed::Without { option: "kink", why: "the curve has none" };
+    }
+    Fed::Yes
 }
 
 /// The samples of a curve of separations over time with its kinks among them, which a line from sample to
@@ -119,28 +128,32 @@ mod tests {
     use crate::figure::{draw, plan};
     use crate::scene::open_text;
 
-    /// A box above the top of another one, which turns by a right angle a unit of time.
-    fn kinks(spin: f64) -> (usize, bool) {
+    /// The marks of kinks of a box above the top of another one, which turns by so many degrees a unit of
+    /// time, in two charts, whether they have words, and what is said in their place.
+    fn kinks(spin: f64) -> (usize, bool, Vec<String>) {
         let text = format!(
             "shapes.A = {{ kind = 'box', half_extents = [2, 0.5], position = [0, 6], angle_deg = -30,
                 velocity = [0, -4], angular_velocity_deg = {spin} }}
             shapes.B = {{ kind = 'box', half_extents = [9, 1] }}
             query = {{ kind = 'time-of-impact', of = ['A', 'B'], algorithm = 'conservative-advancement',
                 tolerance = 0.1 }}
-            panels = [{{ view = [0, 0, 4, 3], layers = [{{ layer = 'graph', kink = true }}] }}]"
+            panels = [{{ view = [0, 0, 4, 3], layers = [{{ layer = 'fastest-approach', kink = true }}] }},
+                {{ view = [0, 0, 4, 3], layers = [{{ layer = 'graph', kink = true }}] }}]"
         );
         let scene = open_text("kinks", &text).unwrap().scene;
         let plan = plan(&scene).unwrap();
         let figure = draw(&plan, plan.theme, "kinks");
-        (paths(&figure.drawing.items, "kink").len(), labels(&figure).contains_key("kink"))
+        let notes = plan.warnings.iter().map(|note| note.fault.to_string()).collect();
+        (paths(&figure.drawing.items, "kink").len(), labels(&figure).contains_key("kink"), notes)
     }
 
     #[test]
     fn a_box_that_turns_over_the_level_has_a_kink_there_and_one_that_does_not_turn_has_none() {
-        assert_eq!(kinks(60.0), (1, true));
+        assert_eq!(kinks(60.0), (2, true, Vec::new()));
         // And again as it stands upright.
-        assert_eq!(kinks(180.0), (2, true));
-        assert_eq!(kinks(0.0), (0, false));
+        assert_eq!(kinks(180.0), (4, true, Vec::new()));
+        let none = |layer| format!("`kink` of `{layer}` draws nothing: the curve has none");
+        assert_eq!(kinks(0.0), (0, false, ["fastest-approach", "graph"].map(none).to_vec()));
     }
 
     #[test]

@@ -78,11 +78,20 @@ pub(super) const LAYER: Layer = Layer {
     ],
     needs: "the algorithm \"gjk\" and bodies that overlap, and no more polytopes than it had",
     fed: |context, options| {
-        let [found, any] = [options, &Options::default()].map(|options| shown(context, options).is_some());
-        Fed::by_the_steps(found, any, has_simplexes(context))
+        let [found, any] = [options, &Options::default()].map(|options| shown(context, options));
+        let pushed = |(step, _): &(Step, _)| options.flag("pushed", false) && !is_pushed(context, step);
+        if found.as_ref().is_some_and(pushed) {
+            return Fed::Without { option: "pushed", why: "the nearest edge is not yet one of B ⊖ A" };
+        }
+        Fed::by_the_steps(found.is_some(), any.is_some(), has_simplexes(context))
     },
     draw,
 };
+
+/// Whether a push brings the nearest edge to O: at the last step it is one of B ⊖ A, where no radii are.
+fn is_pushed(context: &Context, step: &Step) -> bool {
+    step.beyond.is_none() && radii(context) == 0.0
+}
 
 /// A polytope that the algorithm told, in configuration space.
 struct Step {
@@ -184,8 +193,7 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
     }
     sketch.part("right-angle").right_angle(foot, step.edge[1] - foot, -foot);
     let blue = Pen::highlighted(Role::Translation);
-    let push = options.flag("pushed", false) && step.beyond.is_none() && !rounded;
-    if push {
+    if options.flag("pushed", false) && is_pushed(context, step) {
         let [from, to] = step.edge.map(|end| end - foot);
         sketch.part("pushed").weight(Weight::Light).line(from, to, Pen::ghost(Role::Difference));
         let label = Label::new("pushed", PUSHED, Anchor::middle(from, to), Role::Difference);
@@ -258,6 +266,12 @@ mod tests {
 
     /// A step of them with more options of the layer.
     fn step_with(step: usize, options: &str) -> (Figure, usize) {
+        let (figure, steps, _) = told_with(step, options);
+        (figure, steps)
+    }
+
+    /// A step of them with more options of the layer, how many steps there are, and what is told.
+    fn told_with(step: usize, options: &str) -> (Figure, usize, String) {
         let text = format!(
             "shapes.A = {{ kind = 'polygon',
                 vertices = [[-2, -1.5], [1, -2.5], [2.5, 0], [1, 2], [-1.5, 1]] }}
@@ -269,7 +283,8 @@ mod tests {
         let scene = open_text("epa", &text).unwrap().scene;
         let plan = plan(&scene).unwrap();
         let steps = plan.own_run().events().filter(|e| matches!(e, Event::PolytopeExpanded { .. })).count();
-        (draw(&plan, plan.theme, "epa"), steps)
+        let notes = plan.warnings.iter().map(|note| note.fault.to_string()).collect();
+        (draw(&plan, plan.theme, "epa"), steps, notes)
     }
 
     #[test]
@@ -311,7 +326,8 @@ mod tests {
     fn the_push_is_as_long_as_the_depth_and_comes_with_the_last_step_alone() {
         let (_, steps) = step(1);
         for k in 1..=steps {
-            let (figure, _) = step_with(k, ", pushed = true");
+            let (figure, _, notes) = told_with(k, ", pushed = true");
+            assert_eq!(notes.contains("`pushed` of `polytope` draws nothing"), k < steps, "{notes}");
             let last = usize::from(k == steps);
             let found = ["pushed", "distance"].map(|part| paths(&figure.drawing.items, part).len().min(1));
             assert_eq!(found, [last, 1 - last], "step {k}");

@@ -80,11 +80,24 @@ pub(super) const LAYER: Layer = Layer {
     ],
     needs: "the algorithm \"gjk\", and no more steps than it took",
     fed: |context, options| {
-        let [found, any] = [options, &Options::default()].map(|options| shown(context, options).is_some());
-        Fed::by_the_steps(found, any, has_simplexes(context))
+        let [found, any] = [options, &Options::default()].map(|options| shown(context, options));
+        match found.as_ref().and_then(|step| unwritten(step, options)) {
+            Some((option, why)) => Fed::Without { option, why },
+            None => Fed::by_the_steps(found.is_some(), any.is_some(), has_simplexes(context)),
+        }
     },
     draw,
 };
+
+/// The option that has nothing to write at a step, and why not. Of steps that a scene shows one by one the
+/// last has less to write than the others.
+fn unwritten(step: &Step, options: &Options) -> Option<(&'static str, &'static str)> {
+    let asks = |option| options.flag(option, false) && !options.gives("step");
+    if asks("coordinates") && step.next.is_none() && step.vertices.len() > 1 {
+        return Some(("coordinates", "no vertex comes next at the last step"));
+    }
+    (asks("values") && step.closest.is_none()).then_some(("values", "the origin lies in the simplex"))
+}
 
 /// Whether the algorithm told simplexes, as GJK does before EPA.
 pub(super) fn has_simplexes(context: &Context) -> bool {
@@ -333,66 +346,4 @@ fn least(sketch: &mut Sketch, foot: DVec2, side: DVec2) {
 }
 
 #[cfg(test)]
-mod tests {
-    use crate::figure::layer::tests::{labels, lines, paths};
-    use crate::figure::{draw, plan};
-    use crate::scene::open_text;
-
-    #[test]
-    fn of_rounded_bodies_the_cores_are_drawn_beyond_whose_vertices_none_is() {
-        for (place, radius) in [("[1.6, 1.5]", 0.3), ("[2.6, 2.2]", 0.3), ("[2.6, 2.2]", 0.0)] {
-            let text = format!(
-                "shapes.A = {{ kind = 'polygon', vertices = [[-1, 0], [1, 0], [0, 0.8]], radius = {} }}
-                shapes.B = {{ kind = 'box', half_extents = [0.6, 0.6], radius = {radius},
-                    position = {place}, angle_deg = 30 }}
-                query = {{ kind = 'separation', of = ['A', 'B'], algorithm = 'gjk' }}
-                panels = [{{ space = 'configuration', layers = ['difference', 'simplex'] }}]",
-                2.0 * radius
-            );
-            let scene = open_text("gjk", &text).unwrap().scene;
-            let plan = plan(&scene).unwrap();
-            let figure = draw(&plan, plan.theme, "gjk");
-            let (labels, scale) = (labels(&figure), figure.panels[0].frame.scale);
-            assert_eq!(labels.contains_key("cores"), radius > 0.0, "{labels:?}");
-            assert_eq!(labels["stop"].0.contains("cores"), radius > 0.0, "{labels:?}");
-            assert_eq!(paths(&figure.drawing.items, "cores").len(), usize::from(radius > 0.0));
-            if radius > 0.0 {
-                let drawn = lines(&figure, "beyond").into_iter().fold(0.0, f64::max) / scale;
-                assert!(
-                    (drawn - 0.9).abs() < 1e-9 && labels["r"].0.ends_with("= 0.9$"),
-                    "{drawn} {labels:?}"
-                );
-            }
-        }
-    }
-
-    #[test]
-    fn each_step_encloses_the_distance_and_crosses_out_what_the_one_before_had_and_it_has_not() {
-        // 5.2 is the distance of O from the line through (5, 2) and (2, 6).
-        let dropped = [0, 1, 0, 1];
-        for (step, dropped) in (1..).zip(dropped) {
-            let text = format!(
-                "shapes.A = {{ kind = 'polygon', vertices = [[-2, -3], [2, 0], [-3, 2]] }}
-                shapes.B = {{ kind = 'polygon', vertices = [[7, 2], [8, 7], [4, 6]] }}
-                query = {{ kind = 'separation', of = ['A', 'B'], algorithm = 'gjk' }}
-                panels = [{{ space = 'configuration',
-                    layers = [{{ layer = 'simplex', step = {step}, values = true }}] }}]"
-            );
-            let scene = open_text("gjk", &text).unwrap().scene;
-            let plan = plan(&scene).unwrap();
-            let figure = draw(&plan, plan.theme, "gjk");
-            let labels = labels(&figure);
-            let most = labels["closest"].1;
-            let least = labels.get("least").map(|least| least.1);
-            assert!(most >= 5.2 && least.is_none_or(|least| least < 5.2), "{step}: {least:?} to {most}");
-            assert_eq!((least.is_none(), labels.contains_key("stop")), (step == 4, step == 4));
-            assert_eq!(labels.contains_key("dropped"), dropped > 0, "step {step}");
-            assert_eq!(paths(&figure.drawing.items, "dropped").is_empty(), dropped == 0, "step {step}");
-            // What it was dropped from: the page's colour and its own, without an outline.
-            let before = paths(&figure.drawing.items, "before");
-            assert_eq!(before.len(), if dropped > 0 { 2 } else { 0 }, "step {step}");
-            assert!(before.iter().all(|p| p.fill.is_some() && p.stroke.is_none()), "step {step}");
-            assert!(!lines(&figure, "supporting-line").is_empty());
-        }
-    }
-}
+mod tests;
