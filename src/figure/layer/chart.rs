@@ -15,6 +15,8 @@ const MOST_TURNS: u32 = 64;
 
 /// How much longer the axes are than what they measure, in parts of that.
 const LONGER: f64 = 0.08;
+/// How much longer they are at least, page pixels: a head is seen beside the last marker of a short one.
+const NEAREST: f64 = 18.0;
 /// How much longer they are at most, page pixels: less than the room to the right of a chart and above it.
 const FARTHEST: f64 = 29.5;
 
@@ -98,8 +100,8 @@ impl<'c> Chart<'c> {
         let corner = self.place(0.0, 0.0);
         // Within the room around the chart, where heads and names are seen.
         let longer = |end: DVec2| {
-            let length = end.distance(corner);
-            end + (end - corner) * (LONGER.min(sketch.px(FARTHEST) / length))
+            let past = (LONGER * end.distance(corner)).max(sketch.px(NEAREST)).min(sketch.px(FARTHEST));
+            end + (end - corner).normalize_or_zero() * past
         };
         let top = self.up_to.map(|value| self.place(0.0, value));
         let ends = [

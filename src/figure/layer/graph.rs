@@ -283,12 +283,10 @@ fn marks(
         }
     }
     if let Some(next) = all.get(MOST) {
-        let more = Label::new(
-            "more",
-            more(all.len()),
-            Anchor::point_toward(chart.place(next.time, 0.0), DVec2::X),
-            Role::Muted,
-        );
+        // Above the axis: below it are the times, and to the right its head.
+        let on_curve = chart.place(next.time, next.separation);
+        let anchor = Anchor::point_toward(on_curve, chart.vector(DVec2::ONE));
+        let more = Label::new("more", more(all.len()), anchor, Role::Muted);
         sketch.since(context.answered()).label(more.rank(Rank::Word).size(Size::Note));
     }
     if let Some(first) = all.first() {

@@ -195,3 +195,24 @@ fn steps_without_a_number_of_their_own_are_told_with_the_last_one() {
         assert!(last.len() < 2 || before.last().unwrap()[0] < first, "{numbers:?}");
     }
 }
+
+#[test]
+fn of_a_short_graph_the_head_of_the_axis_of_time_is_seen_beyond_the_last_step() {
+    let text = "shapes.A = { kind = 'box', half_extents = [1.2, 0.4], position = [0, 6], angle_deg = 70,
+            velocity = [9, -5], angular_velocity_rad = -4 }
+        shapes.B = { kind = 'polygon', vertices = [[-2, 0.5], [-2, -1], [13, -1], [13, 0.5]] }
+        query = { kind = 'time-of-impact', of = ['A', 'B'], algorithm = 'conservative-advancement' }
+        panels = [{ view = [-40, -40, 80, 50], layers = [{ layer = 'graph', level = true }] }]";
+    let scene = open_text("short", text).unwrap().scene;
+    let plan = plan(&scene).unwrap();
+    let figure = draw(&plan, plan.theme, "short");
+    let bounds = |part| {
+        let all = paths(&figure.drawing.items, part).into_iter().filter_map(|path| path.contour.bounds());
+        all.reduce(crate::drawing::Rect::union).unwrap()
+    };
+    let (axes, steps) = (bounds("axis"), bounds("steps"));
+    // A marker is no wider than 12, and the head is 9 long.
+    assert!(axes.x1 - steps.x1 > 9.0, "{axes:?} {steps:?}");
+    let more = figure.panels[0].placed.iter().find(|label| label.key == "more");
+    assert!(more.is_none_or(|label| label.bounds.y1 < axes.y1), "over the axis or above it: {more:?}");
+}
