@@ -105,7 +105,7 @@ pub enum Fault {
         /// The name of the layer.
         layer: &'static str,
         /// What it needs of the scene.
-        needs: &'static str,
+        needs: String,
     },
     /// A note: this answer lacks a value that a text names, and a dash stands in its place.
     NoValue {

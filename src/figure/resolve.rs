@@ -7,7 +7,7 @@ use std::borrow::Cow;
 
 use crate::collision::{Answer, Outcome};
 use crate::drawing::Rect;
-use crate::geometry::DVec2;
+use crate::geometry::{DVec2, Side};
 use crate::scene::{self, LayerSpec, Panel, Scene, Space, Spanned, Value, When};
 use crate::typeset::{Style, line, paragraph};
 
@@ -25,6 +25,13 @@ use super::text::{filled, set, under};
 
 /// Lines of the longest title that is broken into lines.
 const MOST_TITLE: usize = 4;
+
+/// The options that name vertices or edges by their numbers, with the words for one of them and for several.
+const COUNTED: [(&str, [&str; 2]); 3] = [
+    ("edge", ["edge", "edges"]),
+    ("vertex", ["vertex, number 0", "vertices, numbered from 0"]),
+    ("only", ["vertex, number 0", "vertices, numbered from 0"]),
+];
 
 /// Resolves the panels of a scene and keeps what is wrong with them.
 pub(super) struct Resolver<'r, 's> {
@@ -222,7 +229,8 @@ impl<'r, 's> Resolver<'r, 's> {
             Fed::NotByThisAnswer => standing(&context.run().answer),
             Fed::NotHere(why) => why,
             Fed::Never => {
-                let fault = Fault::UnfedLayer { layer: layer.name, needs: needs(layer, spec) };
+                let needs = needs(layer, spec).to_owned() + &there_are(context, &options);
+                let fault = Fault::UnfedLayer { layer: layer.name, needs };
                 self.problems.push(Problem::new(fault, span.clone()));
                 return None;
             }
@@ -242,6 +250,20 @@ fn needs(layer: &Layer, spec: &LayerSpec) -> &'static str {
     let parts = || layer.needs.split([':', ',']).map(str::trim);
     let of_word = |word: String| parts().find_map(|part| part.strip_suffix(word.as_str()));
     said.find_map(of_word).unwrap_or(layer.needs)
+}
+
+/// How many vertices or edges the bodies have, where a scene names some by their numbers.
+fn there_are(context: &Context, options: &Options) -> String {
+    let names = |option: &(&str, _)| options.counts(option.0).is_some();
+    let Some((option, words)) = COUNTED.into_iter().find(names) else { return String::new() };
+    let have = |(side, &index): (&Side, &usize)| {
+        let (name, body) = context.scene.shapes.get(index)?;
+        let is_one = |&i: &usize| option != "edge" || body.shape.edge_ends(i).is_some();
+        let count = (0..body.shape.vertices.len()).filter(is_one).count();
+        let word = words[usize::from(count != 1)];
+        options.of(&Side::BOTH).contains(side).then(|| format!("; `{}` has {count} {word}", name.value))
+    };
+    Side::BOTH.iter().zip(&context.scene.query.of).filter_map(have).collect()
 }
 
 /// A panel without some of its layers, so that the description speaks of what is there.
@@ -323,6 +345,10 @@ mod tests {
             hit.contains("for \"hit\" or another moment of a motion a question for the first contact"),
             "{hit}"
         );
+        let corner = told("layers = ['shapes', { layer = 'vertices', of = 'A', only = 7 }]");
+        assert!(corner.ends_with("; `A` has 4 vertices, numbered from 0"), "{corner}");
+        let edge = told("layers = ['shapes', { layer = 'feature', of = 'B', edge = 0 }]");
+        assert!(edge.ends_with("; `B` has 0 edges"), "{edge}");
         let steps = told("layers = ['shapes', { layer = 'ghosts', at = 'steps' }]");
         assert_eq!(steps, "it needs an algorithm that advances in steps");
     }

@@ -140,7 +140,7 @@ fn others() -> Vec<(Fault, &'static str, &'static str)> {
             "give it a panel of its own: `[[panels]]` with `layers = [\"graph\"]`",
         ),
         (
-            Fault::UnfedLayer { layer: "one", needs: "a hit" },
+            Fault::UnfedLayer { layer: "one", needs: "a hit".to_owned() },
             "this scene can't feed the layer `one`",
             "it needs a hit",
         ),

@@ -27,7 +27,8 @@ pub(crate) fn givers(name: &str, context: &Context) -> Option<String> {
     let words: Vec<String> = others.filter(has_it).map(|found| format!("`{}`", found.word)).collect();
     Some(match words.as_slice() {
         [] => NO_OTHER.to_owned(),
-        _ => format!("a query of the kind {} has it", words.join(", ")),
+        [one] => format!("a query of the kind {one} has it"),
+        _ => format!("queries of the kinds {} have it", words.join(", ")),
     })
 }
 
@@ -70,7 +71,7 @@ mod tests {
              or ask a question that has it"
         );
         let swept = said("iterations", gjk);
-        assert!(swept.starts_with("this answer has no `iterations`: a query of the kind `"), "{swept}");
+        assert!(swept.starts_with("this answer has no `iterations`: queries of the kinds `"), "{swept}");
         assert!(swept.contains("`time-of-impact`"), "{swept}");
         let none = "no other question about these bodies has it; leave `{=V.x}` out of the text";
         assert!(said("V.x", gjk).ends_with(none), "{}", said("V.x", gjk));
