@@ -1,20 +1,42 @@
-//! Panels that stay empty because their `view` lies beside all that they draw.
+//! Panels that stay empty because their `view` lies beside all that they draw, and insets that enlarge
+//! nothing of it.
+
+use std::ops::Range;
+
+use crate::geometry::DVec2;
+use crate::scene::{Detail, Spanned};
 
 use super::fault::{Fault, Problem};
+use super::inset::is_beside;
 use super::panel::PanelPlan;
 use super::sketch::Sketched;
 
-/// A warning for each panel whose `view` holds nothing of what its layers drew; grounds, as axes and grids,
-/// are there wherever one looks, and don't count.
+/// A warning for each panel whose `view`, and for each whose `inset`, holds nothing of what its layers drew;
+/// grounds, as axes and grids, are there wherever one looks, and don't count.
 pub(super) fn empty_views(panels: &[PanelPlan], sketched: &[Sketched]) -> Vec<Problem> {
     let told = |(panel, sketched): (&PanelPlan, &Sketched)| {
-        let view = panel.source.view.as_ref()?;
-        let ([x0, y0, x1, y1], (lo, hi)) = (view.value, sketched.extent?);
-        let is_beside = hi.x < x0 || lo.x > x1 || hi.y < y0 || lo.y > y1;
-        let reach = [lo, hi].map(|corner| [corner.x, corner.y].map(shortened));
-        is_beside.then(|| Problem::new(Fault::EmptyView { reach }, view.span.clone()))
+        let (view, inset) = (panel.source.view.as_ref(), panel.source.inset.as_ref());
+        let (lo, hi) = sketched.extent?;
+        if let Some(Spanned { span, .. }) = view.filter(|view| is_beside(view.value, (lo, hi))) {
+            return Some(empty("view", (lo, hi), span));
+        }
+        // Of what is drawn, the panel shows what is in view.
+        let (least, most) = sketched.frame.visible();
+        let shown = (lo.max(least), hi.min(most));
+        match inset {
+            Some(Spanned { value: Detail::Rectangle(detail), span }) if is_beside(*detail, shown) => {
+                Some(empty("inset", shown, span))
+            }
+            _ => None,
+        }
     };
     panels.iter().zip(sketched).filter_map(told).collect()
+}
+
+/// What is said of a key of a panel, at its place, that holds nothing of what lies between two points.
+fn empty(what: &'static str, (lo, hi): (DVec2, DVec2), span: &Range<usize>) -> Problem {
+    let reach = [lo, hi].map(|corner| [corner.x, corner.y].map(shortened));
+    Problem::new(Fault::EmptyView { what, reach }, span.clone())
 }
 
 /// A coordinate to a thousandth of its size or of a unit, as nobody needs more to find a view.
@@ -26,7 +48,7 @@ fn shortened(x: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use crate::figure::plan;
+    use crate::figure::{draw, plan};
     use crate::scene::{Explain, Severity, open_text};
 
     #[test]
@@ -50,6 +72,34 @@ mod tests {
                 );
                 assert!(warning.fault.to_string().ends_with("from (-1, -1) to (5, 1)"), "{}", warning.fault);
             }
+        }
+    }
+
+    #[test]
+    fn an_inset_of_nothing_is_told_and_left_out_where_it_lies_beside_the_panel() {
+        let text = |inset: &str| {
+            format!(
+                "shapes.a = {{ kind = 'box', half_extents = [1, 1] }}
+                shapes.b = {{ kind = 'circle', radius = 1, position = [4, 0] }}
+                query = {{ kind = 'separation', of = ['a', 'b'] }}
+                panels = [{{ view = [-2, -2, 3.5, 2], inset = {inset}, layers = ['grid', 'shapes'] }}]"
+            )
+        };
+        for (inset, told, drawn) in [
+            ("[10, 10, 10.2, 10.2]", true, 0),
+            ("[10, 10, 19, 19]", true, 0),
+            ("[1.2, 1.4, 1.4, 1.6]", true, 1),
+            ("[0.9, -0.1, 1.1, 0.1]", false, 1),
+        ] {
+            let scene = open_text("s", &text(inset)).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let said: Vec<String> = plan.warnings.iter().map(|warning| warning.fault.to_string()).collect();
+            assert_eq!(
+                said.iter().any(|said| said.starts_with("the panel's `inset` is empty")),
+                told,
+                "{said:?}"
+            );
+            assert_eq!(draw(&plan, plan.theme, "s").insets.len(), drawn, "{inset}");
         }
     }
 }

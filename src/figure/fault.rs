@@ -83,8 +83,11 @@ pub enum Fault {
         /// What the case is, as "the bodies are apart".
         why: &'static str,
     },
-    /// A warning: what a panel draws lies all outside of its `view`, so that it stays empty.
+    /// A warning: what a panel draws lies all outside of its `view`, so that it stays empty, or of its
+    /// `inset`.
     EmptyView {
+        /// Which of the two.
+        what: &'static str,
         /// The smallest and the largest coordinates of what is drawn, in the panel's space.
         reach: [[f64; 2]; 2],
     },
@@ -253,7 +256,10 @@ impl Explain for Fault {
         match self {
             Self::Scene(fault) => fault.help(),
             Self::NoLayers => Some("without the key `layers` it shows what suits the answer".to_owned()),
-            Self::EmptyView { .. } => Some("without the key `view` it shows all of it".to_owned()),
+            Self::EmptyView { what: "view", .. } => {
+                Some("without the key `view` it shows all of it".to_owned())
+            }
+            Self::EmptyView { .. } => Some("give it a rectangle within that".to_owned()),
             Self::NothingPlays { .. } => Some("it is drawn as it stands".to_owned()),
             Self::StillText { .. } => Some("the `caption` or `title` of a panel plays".to_owned()),
             Self::NoStepLeft { .. } => Some("`until` counts the figure's own steps, from 1".to_owned()),
@@ -332,10 +338,10 @@ impl fmt::Display for Fault {
             Self::NothingForOption { layer, option, why } => {
                 write!(f, "`{option}` of `{layer}` draws nothing: {why}")
             }
-            Self::EmptyView { reach: [[x0, y0], [x1, y1]] } => {
+            Self::EmptyView { what, reach: [[x0, y0], [x1, y1]] } => {
                 write!(
                     f,
-                    "the panel's `view` is empty: all that it draws is from ({x0}, {y0}) to ({x1}, {y1})"
+                    "the panel's `{what}` is empty: all that it draws is from ({x0}, {y0}) to ({x1}, {y1})"
                 )
             }
             Self::NothingPlays { why } => write!(f, "nothing plays: {why}"),

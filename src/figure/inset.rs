@@ -63,6 +63,7 @@ impl Inset {
     /// that nothing could be enlarged. `before` is where it stood in the frame before of a figure that moves.
     pub(crate) fn of(panel: &Panel, sketched: &Sketched, before: Option<Rect>) -> Option<Self> {
         match asked(panel)? {
+            Detail::Rectangle(_) if Self::is_beside(panel, sketched) => None,
             Detail::Rectangle(rectangle) => Self::of_rectangle(panel, rectangle, sketched),
             Detail::Small => small::enlarged(sketched, before),
         }
@@ -71,6 +72,12 @@ impl Inset {
     /// Whether a panel wants something enlarged for which it has no room.
     pub(crate) fn lacks_room(panel: &Panel, sketched: &Sketched) -> bool {
         asked(panel) == Some(Detail::Small) && small::lacks_room(sketched)
+    }
+
+    /// Whether all that a panel asks to enlarge lies beside what it shows.
+    pub(crate) fn is_beside(panel: &Panel, sketched: &Sketched) -> bool {
+        let Some(Detail::Rectangle(detail)) = asked(panel) else { return false };
+        is_beside(detail, sketched.frame.visible())
     }
 
     /// The inset of a rectangle of the panel's space; `None` where it is too large to be enlarged.
@@ -229,6 +236,11 @@ impl Inset {
 /// What a panel asks to enlarge.
 fn asked(panel: &Panel) -> Option<Detail> {
     panel.inset.as_ref().map(|inset| inset.value)
+}
+
+/// Whether a rectangle of a panel's space lies beside all between two points of it.
+pub(super) fn is_beside([x0, y0, x1, y1]: [f64; 4], (lo, hi): (DVec2, DVec2)) -> bool {
+    hi.x < x0 || lo.x > x1 || hi.y < y0 || lo.y > y1
 }
 
 /// Whether all of what a label belongs to lies within a rectangle of the page.

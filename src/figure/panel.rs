@@ -133,7 +133,8 @@ impl PanelPlan<'_> {
         Inset::of(&self.source, sketched, before)
     }
 
-    /// The inset that the panel asks for, and where the scene asks for it.
+    /// The inset that the panel asks for, and where the scene asks for it; `None` where all of it lies beside
+    /// what the panel shows, of which there is a warning.
     ///
     /// # Errors
     ///
@@ -144,7 +145,7 @@ impl PanelPlan<'_> {
     ) -> Result<Option<(&Range<usize>, Inset)>, scene::Problem> {
         let Some(Spanned { value, span }) = &self.source.inset else { return Ok(None) };
         let found = self.inset(sketched, None);
-        if found.is_none() && *value != Detail::Small {
+        if found.is_none() && *value != Detail::Small && !Inset::is_beside(&self.source, sketched) {
             let message = "the inset shows too much of its panel to be enlarged".to_owned();
             let help = "give it a smaller rectangle, `inset = [x0, y0, x1, y1]`".to_owned();
             return Err(scene::Problem::new(scene::Fault::Conflict { message, help }, span.clone()));

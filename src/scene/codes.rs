@@ -48,7 +48,8 @@ codes! {
     NOTHING_PLAYS = "nothing-plays", "note: a figure that was to play, and no panel of it does";
     NO_STEP_LEFT = "no-step-left", "note: `[[steps]]` has words for more steps than the figure has";
     NO_LAYERS = "no-layers", "warning: a panel whose list of layers is empty";
-    EMPTY_VIEW = "empty-view", "warning: a panel's `view` holds nothing of what the panel draws";
+    EMPTY_VIEW = "empty-view",
+        "warning: a panel's `view` or `inset` holds nothing of what the panel draws";
     UNSUITED_LAYER = "unsuited-layer", "a layer that shows another space than its panel";
     SHARED_CHART = "shared-chart", "warning: a chart whose panel has other layers too";
     UNFED_LAYER = "unfed-layer", "a layer that needs what this query does not give";

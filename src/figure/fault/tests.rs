@@ -125,7 +125,7 @@ fn others() -> Vec<(Fault, &'static str, &'static str)> {
             "without the key `layers` it shows what suits the answer",
         ),
         (
-            Fault::EmptyView { reach: [[-1.0, 0.5], [2.0, 3.0]] },
+            Fault::EmptyView { what: "view", reach: [[-1.0, 0.5], [2.0, 3.0]] },
             "the panel's `view` is empty: all that it draws is from (-1, 0.5) to (2, 3)",
             "without the key `view` it shows all of it",
         ),
