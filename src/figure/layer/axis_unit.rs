@@ -1,11 +1,11 @@
 //! What the numbers along an axis are counted in: the unit vector n on it, from its 0, where the shadow of
-//! the world's origin is; and the light that casts shadows on it.
+//! the panel's origin is; and the light that casts shadows on it.
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, Marker, Pen, Rank, SMALL_MARKER, Size, Sketch, Weight};
-use crate::figure::text::{number, terms};
-use crate::geometry::{DVec2, Side};
+use crate::figure::text::{in_panel, number, terms};
+use crate::geometry::{DVec2, Enclosure, Side};
 
 use super::half_extents::beside;
 use super::normal::unit_length;
@@ -23,22 +23,34 @@ const LEAST: f64 = 12.0;
 /// A shadow that is shorter is a point, page pixels: a bar's ends would be one line across the axis.
 const SHORT: f64 = 1.0;
 
+/// The part of the panel's origin's place along an axis by which what is there may be off: both are sums of
+/// two products, each rounded a few times.
+const ROUNDED: f64 = 1e-12;
+
 /// From where above the bodies to where the arrows of light reach, page pixels.
 pub(super) const LIGHT: f64 = 38.0;
 const CLEAR: f64 = 10.0;
 
-/// The axis with its components, in LaTeX.
-pub(super) fn written(n: DVec2) -> String {
+/// The axis with its components in the frame of the panel, in LaTeX.
+pub(super) fn written(context: &Context, n: DVec2) -> String {
+    let n = in_panel(context, n);
     format!("n = ({}, {})", number(n.x), number(n.y))
 }
 
+/// Where along n the panel's origin is, and intervals of the world counted from there.
+pub(super) fn from_origin(context: &Context, n: DVec2, intervals: [Enclosure; 2]) -> (f64, [Enclosure; 2]) {
+    let origin = context.frame().map_or(0.0, |frame| frame.position.dot(n));
+    let place = |x: f64| if (x - origin).abs() <= ROUNDED * origin.abs() { 0.0 } else { x - origin };
+    (origin, intervals.map(|Enclosure { lo, hi }| Enclosure { lo: place(lo), hi: place(hi) }))
+}
+
 /// Draws n on the axis from its 0, where numbers are counted in its lengths.
-pub(super) fn on_axis(sketch: &mut Sketch, n: DVec2, at: impl Fn(f64, f64) -> DVec2) {
+pub(super) fn on_axis(sketch: &mut Sketch, (n, written): (DVec2, &str), at: impl Fn(f64, f64) -> DVec2) {
     let length = unit_length(sketch);
     let to_scale = if length == 1.0 { "" } else { " (not to scale)" };
     let (from, tip) = (at(0.0, 0.0), at(length, 0.0));
     sketch.part("normal").arrow(from, tip, Pen::vector(Role::Ink));
-    let label = Label::new("axis", format!("${}${to_scale}", written(n)), beside(from, tip, n), Role::Ink);
+    let label = Label::new("axis", format!("${written}${to_scale}"), beside(from, tip, n), Role::Ink);
     sketch.label(label.rank(Rank::Measure));
 }
 

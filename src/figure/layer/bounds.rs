@@ -6,7 +6,7 @@ use crate::figure::context::Context;
 use crate::figure::cue::Cue;
 use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, MARKER, Marker, Outline, Pen, Rank, Sketch};
 use crate::figure::text::Places;
-use crate::geometry::{DVec2, Side};
+use crate::geometry::{DVec2, Rotation, Side};
 use crate::trace::step::bounds;
 use crate::trace::{Event, SupportVertex, phrase};
 
@@ -91,17 +91,17 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let role = part.of.map_or(Role::Ink, Role::from);
         sketch.part("part-box").area(&rectangle(part), None, Some(Pen::dimension(role)));
     }
-    let (role, places) = (options.role(Role::Ink), Places::of(context.scene));
+    let role = options.role(Role::Ink);
     // Lighter than the body's own outline, round which it is.
     sketch.part("box").area(&rectangle(last), None, Some(Pen::outline(role).width(BOX)));
     if last.min == last.max {
-        return of_a_point(sketch, (last, places), role, options);
+        return of_a_point(sketch, (last, context), role, options);
     }
     if options.flag("touching", true) {
-        touching(sketch, last, places, cue);
+        touching(sketch, last, context, cue);
     }
     if options.flag("corners", true) {
-        corners(sketch.since(at(bounds::BOX)), (last, places), role, at(bounds::CENTER));
+        corners(sketch.since(at(bounds::BOX)), (last, context), role, at(bounds::CENTER));
     }
 }
 
@@ -112,17 +112,26 @@ fn rectangle(found: &Found) -> Outline {
 }
 
 /// Marks the box of a lone point, which has one corner alone.
-fn of_a_point(sketch: &mut Sketch, (found, places): (&Found, Places), role: Role, options: &Options) {
+fn of_a_point(sketch: &mut Sketch, (found, context): (&Found, &Context), role: Role, options: &Options) {
     sketch.part("min").marker(found.min, Marker::Disc, role, MARKER);
     if options.flag("corners", true) {
-        let [x, y] = found.min.to_array().map(|value| places.latex(value));
-        let text = format!("min $=$ max $= ({x}, {y})$");
+        let text = format!("min $=$ max $= {}$", place(context, found.min));
         sketch.label(Label::new("min", text, Anchor::point(found.min), role));
     }
 }
 
-/// Marks the vertices that touch each side; the first of each is named.
-fn touching(sketch: &mut Sketch, found: &Found, places: Places, cue: Option<Cue>) {
+/// The coordinates of a point of the world in the panel's space, in LaTeX.
+fn place(context: &Context, p: DVec2) -> String {
+    let places = Places::of(context.scene);
+    let [x, y] = context.in_space(p).to_array().map(|value| places.latex(value));
+    format!("({x}, {y})")
+}
+
+/// Marks the vertices that touch each side; the first of each is named, with its coordinate that is smallest
+/// or largest: in a frame that is turned neither is.
+fn touching(sketch: &mut Sketch, found: &Found, context: &Context, cue: Option<Cue>) {
+    let is_turned = context.frame().is_some_and(|frame| frame.rotation != Rotation::NONE);
+    let places = Places::of(context.scene);
     let role = found.of.map_or(Role::Ink, Role::from);
     let marker = if found.of == Some(Side::B) { Marker::Square } else { Marker::Disc };
     for (i, (vertices, (key, symbol, outward))) in found.touching.iter().zip(SIDES).enumerate() {
@@ -141,19 +150,23 @@ fn touching(sketch: &mut Sketch, found: &Found, places: Places, cue: Option<Cue>
         }
         if let Some(first) = vertices.first() {
             let anchor = Anchor::point_toward(touch(first), outward);
-            let value = touch(first).dot(outward.abs());
-            let text = format!("${symbol} = {}$", places.latex(value));
+            let value = context.in_space(touch(first)).dot(outward.abs());
+            let text = if is_turned {
+                format!("${symbol}$")
+            } else {
+                format!("${symbol} = {}$", places.latex(value))
+            };
             sketch.label(Label::new(key, text, anchor, Role::Ink).rank(Rank::Point));
         }
     }
 }
 
 /// Marks and names the corners min and max and the centre.
-fn corners(sketch: &mut Sketch, (found, places): (&Found, Places), role: Role, middle: Option<Cue>) {
+fn corners(sketch: &mut Sketch, (found, context): (&Found, &Context), role: Role, middle: Option<Cue>) {
     let center = 0.5 * (found.min + found.max);
     for (key, point) in [("min", found.min), ("max", found.max)] {
         sketch.part(key).marker(point, Marker::Disc, role, MARKER);
-        let text = format!("{key} $= ({}, {})$", places.latex(point.x), places.latex(point.y));
+        let text = format!("{key} $= {}$", place(context, point));
         let anchor = Anchor::point_toward(point, point - center);
         sketch.label(Label::new(key, text, anchor, role));
     }

@@ -9,7 +9,7 @@ use crate::figure::sketch::{
     Anchor, HEAD_LENGTH, HEAD_WIDTH, LARGE_MARKER, Label, MARKER, Marker, Outline, Pen, Rank, Sketch, Wash,
     Weight,
 };
-use crate::figure::text::number;
+use crate::figure::text::{in_panel, number};
 use crate::geometry::{DVec2, Pose, Rotation, Side};
 use crate::trace::step::clamped as parts;
 use crate::trace::{Event, phrase};
@@ -104,10 +104,10 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         kept(sketch.since(at(parts::CUT)), options, &c, along);
     }
     // Both in the frame of the panel, so that D is V less what is kept of it in the world as well.
-    let seen = |v: DVec2| context.in_space(v) - context.in_space(DVec2::ZERO);
     // In the frame of the box they are as the algorithm has them: what was not cut leaves nothing.
     let is_own = context.frame().is_some_and(|frame| frame.rotation == c.pose.rotation);
-    let [v, d] = if is_own { [c.v, c.v - c.kept] } else { [seen(c.pose.vector(c.v)), seen(c.d)] };
+    let [v, d] =
+        if is_own { [c.v, c.v - c.kept] } else { [c.pose.vector(c.v), c.d].map(|v| in_panel(context, v)) };
     // V and D end at the circle's centre: their heads stop short of it, V's behind D's where they would meet.
     let behind = if shows("D") && heads_meet(c.v, c.d) { MARKER + HEAD_LENGTH } else { MARKER };
     if shows("V") {

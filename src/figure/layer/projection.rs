@@ -15,7 +15,7 @@ use crate::figure::text::{Quantity, terms};
 use crate::geometry::{DVec2, Feature, Side, perp};
 use crate::trace::{Event, phrase};
 
-use super::axis_unit::{LIGHT, light, numbers, on_axis, sees, shadow_of, units, written, zero};
+use super::axis_unit::{LIGHT, from_origin, light, numbers, on_axis, sees, shadow_of, units, written, zero};
 use super::half_extents::beside;
 use super::normal::{unit_length, unit_vector};
 use super::shadow::{guide, highest, lit};
@@ -146,7 +146,10 @@ fn draw_axis(sketch: &mut Sketch, (context, options): (&Context, &Options), t: &
         .flat_map(|outline| outline.sampled())
         .collect();
     let (down, far) = beside_bodies(sketch, context, t, &points);
-    let at = |along: f64, track: f64| t.n * along + down * (far + track);
+    // Counted from the origin of the panel, whose components n has.
+    let (origin, [a, b]) = from_origin(context, t.n, [t.a, t.b]);
+    let t = &Tested { a, b, ..*t };
+    let at = |along: f64, track: f64| t.n * (origin + along) + down * (far + track);
     let joined = t.gap > 0.0 && options.flag("joined", false);
     let [track, low] = if joined { [0.0; 2] } else { [TRACK, MEASURE].map(|px| sketch.px(px)) };
     // The strip passes between the bodies from beyond both, as light does that falls there.
@@ -174,9 +177,9 @@ fn draw_axis(sketch: &mut Sketch, (context, options): (&Context, &Options), t: &
     let from_zero = values && (first..=last).contains(&0.0);
     if from_zero {
         units(sketch, (first, last - past), at);
-        on_axis(sketch, t.n, at);
+        on_axis(sketch, (t.n, &written(context, t.n)), at);
     } else if values {
-        let along = format!("along ${}$", written(t.n));
+        let along = format!("along ${}$", written(context, t.n));
         let label = Label::new("axis", along, beyond.clone(), Role::Muted);
         sketch.label(label.rank(Rank::Measure).size(Size::Note));
     }
@@ -188,7 +191,7 @@ fn draw_axis(sketch: &mut Sketch, (context, options): (&Context, &Options), t: &
         for end in [interval.lo, interval.hi] {
             let measured = end == if body == Side::A { t.a.hi } else { t.b.lo };
             let track = if measured { low } else { track };
-            guide(sketch, (context, body.other()), &points, (t.n, end), (down, far + track));
+            guide(sketch, (context, body.other()), &points, (t.n, origin + end), (down, far + track));
         }
         let ends = [interval.lo, interval.hi].map(|along| at(along, track));
         shadow_of(sketch, body, ends, options.role(body.into()));

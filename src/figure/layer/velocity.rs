@@ -8,7 +8,7 @@ use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::cue::Cue;
 use crate::figure::sketch::{Anchor, Label, Outline, Pen, Rank, Sketch};
-use crate::figure::text::{Quantity, number};
+use crate::figure::text::{Quantity, in_panel, number};
 use crate::geometry::{Body, DVec2, Enclosure, Side};
 use crate::scene::{Space, When};
 use crate::trace::phrase;
@@ -54,7 +54,7 @@ pub(super) const LAYER: Layer = Layer {
             name: "values",
             takes: Takes::Flag,
             default: "false",
-            about: "writes the velocities' components",
+            about: "writes the velocities' components, in the frame of the panel",
         },
     ],
     labels: &[
@@ -122,7 +122,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let key = if side == Side::A { "v_A" } else { "v_B" };
         // Cut off at the hit it is what the body moves by until then, and says which part of v that is.
         let until = hit.filter(|_| options.word("cut", "") == When::HIT).map(|time| time.lo - context.time);
-        let text = text(&context.symbol("v", side), v, options, scale * until.unwrap_or(1.0));
+        let symbol = context.symbol("v", side);
+        let text = text(&symbol, in_panel(context, v), options, scale * until.unwrap_or(1.0));
         let from = pose.point(local);
         let motion = Motion { key, text, way, from, v, now: context.time, hit, scale, known };
         arrow(sketch, options, &motion);

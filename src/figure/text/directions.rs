@@ -6,16 +6,20 @@ use crate::trace::Event;
 
 use super::quantity::Quantity;
 
+/// The part of a vector's length up to which a component of it, turned into a frame, is rounding: the vector,
+/// the cosine and the sine are off by a few ε each. Ten times as much would still be written as 0.
+const ROUNDED: f64 = 16.0 * f64::EPSILON;
+
 /// The unit normal from A to B at the panel's moment, as the panel shows it.
 pub(super) fn normal(context: &Context) -> Option<DVec2> {
     let run = context.separation_at(context.time)?;
-    Some(seen(context, *run.separation()?.normal))
+    Some(in_panel(context, *run.separation()?.normal))
 }
 
 /// The unit normal from A to B at the first contact, as the panel shows it.
 pub(super) fn hit_normal(context: &Context) -> Option<DVec2> {
     let (_, contact) = context.hit()?;
-    Some(seen(context, *contact.normal))
+    Some(in_panel(context, *contact.normal))
 }
 
 /// What `pick` takes of the article's N and P, as the panel shows them.
@@ -24,23 +28,26 @@ pub(super) fn penetration(context: &Context, pick: fn([DVec2; 2]) -> f64) -> Opt
         Event::PenetrationMeasured { direction, vector, .. } => Some([*direction, *vector]),
         _ => None,
     })?;
-    Some(Quantity::exactly(pick([n, p].map(|v| seen(context, v)))))
+    Some(Quantity::exactly(pick([n, p].map(|v| in_panel(context, v)))))
 }
 
 /// What `pick` takes of D.
 pub(super) fn d(context: &Context, pick: fn(DVec2) -> f64) -> Option<Quantity> {
     context.run().find_told(|event| match event {
-        Event::Clamped { d, .. } => Some(Quantity::exactly(pick(seen(context, *d)))),
+        Event::Clamped { d, .. } => Some(Quantity::exactly(pick(in_panel(context, *d)))),
         Event::ExtentsCompared { gap, .. } => Some(Quantity::exactly(pick(*gap))),
         _ => None,
     })
 }
 
 /// A vector of the world at the panel's moment in the frame of the panel, as long as it is.
-fn seen(context: &Context, v: DVec2) -> DVec2 {
+#[must_use]
+pub(crate) fn in_panel(context: &Context, v: DVec2) -> DVec2 {
     let Some(Rotation { cos, sin }) = context.frame().map(|frame| frame.rotation) else { return v };
     // A matrix that is no rotation makes it no longer.
-    Rotation { cos, sin }.undo(v) / libm::hypot(cos, sin)
+    let turned = Rotation { cos, sin }.undo(v) / libm::hypot(cos, sin);
+    let least = ROUNDED * v.length();
+    DVec2::from([turned.x, turned.y].map(|c| if c.abs() <= least { 0.0 } else { c }))
 }
 
 #[cfg(test)]

@@ -33,6 +33,7 @@ pub(crate) use caption::{
 };
 pub(crate) use decimal::Decimal;
 pub(crate) use digits::Digits;
+pub(crate) use directions::in_panel;
 pub(crate) use fill::filled;
 pub(crate) use givers::{NO_OTHER, givers};
 pub(crate) use number::{

@@ -1,6 +1,7 @@
 //! What a figure shows, for the tests of its layers: the texts of its labels and the lengths of its lines.
 
 mod centers;
+mod frames;
 mod handles;
 mod insets;
 mod inside;
