@@ -104,10 +104,14 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         kept(sketch.since(at(parts::CUT)), options, &c, along);
     }
     // Both in the frame of the panel, so that D is V less what is kept of it in the world as well.
-    // In the frame of the box they are as the algorithm has them: what was not cut leaves nothing.
+    // In the frame of the box they are as the algorithm has them: what was not cut leaves nothing. Of a
+    // centre inside nothing is cut, and D is square to the nearest side.
     let is_own = context.frame().is_some_and(|frame| frame.rotation == c.pose.rotation);
-    let [v, d] =
-        if is_own { [c.v, c.v - c.kept] } else { [c.pose.vector(c.v), c.d].map(|v| in_panel(context, v)) };
+    let [v, d] = match [c.pose.vector(c.v), c.d].map(|v| in_panel(context, v)) {
+        [_, d] if is_own && c.v == c.kept => [c.v, square(d)],
+        _ if is_own => [c.v, c.v - c.kept],
+        seen => seen,
+    };
     // V and D end at the circle's centre: their heads stop short of it, V's behind D's where they would meet.
     let behind = if shows("D") && heads_meet(c.v, c.d) { MARKER + HEAD_LENGTH } else { MARKER };
     if shows("V") {
@@ -144,6 +148,11 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
 fn heads_meet(v: DVec2, d: DVec2) -> bool {
     let sine = v.perp_dot(d).abs() / (v.length() * d.length());
     d.length() > 0.0 && (v.dot(d) > 0.0 && sine * (MARKER + HEAD_LENGTH) < HEAD_WIDTH)
+}
+
+/// A vector along one of two axes, without what rounding left of the other component.
+fn square(v: DVec2) -> DVec2 {
+    if v.x.abs() < v.y.abs() { DVec2::new(0.0, v.y) } else { DVec2::new(v.x, 0.0) }
 }
 
 /// The label of a vector, with its components where the scene wants them.

@@ -64,3 +64,17 @@ fn the_corners_of_bounds_have_the_coordinates_of_the_frame() {
         assert_eq!(written, texts, "{angle}, {space}");
     }
 }
+
+#[test]
+fn from_a_centre_inside_the_box_d_goes_to_it_from_the_nearest_side() {
+    // In the frame of the box, which is turned by 90° or 30°, the centre is at (1.5, 0), the side at x = 2.
+    for (angle, place) in [(90, "[1, 2.5]"), (30, "[2.299038105676658, 1.75]")] {
+        let text = format!(
+            "shapes.A = {{ kind = 'box', half_extents = [2, 1], angle_deg = {angle}, position = [1, 1] }}
+            shapes.B = {{ kind = 'circle', radius = 0.4, position = {place} }}
+            query = {{ kind = 'separation', of = ['A', 'B'], algorithm = 'clamp' }}
+            panels = [{{ space = 'body', frame = 'A', layers = [{{ layer = 'clamp', values = true }}] }}]"
+        );
+        assert_eq!(said(&text, "D"), ["$D = (-0.5, 0)$"], "{angle}");
+    }
+}
