@@ -7,7 +7,7 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{
     Anchor, Label, Marker, Outline, Pen, Rank, SMALL_MARKER, Size, Sketch, Wash, Weight,
 };
-use crate::figure::text::{Digits, Quantity, in_math, number};
+use crate::figure::text::{Digits, in_math, number};
 use crate::geometry::{DVec2, Side};
 use crate::scene::When;
 use crate::trace::phrase;
@@ -15,6 +15,7 @@ use crate::trace::phrase;
 use super::closest::longer_way;
 use super::difference::difference;
 use super::look_alike::look_alike;
+use super::moment::written;
 use super::spin::seen;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, STEPS, Shows, Takes, Tells, fade, part};
 
@@ -230,9 +231,7 @@ fn moment(sketch: &mut Sketch, context: &Context, options: &Options, side: Side)
     }
     if let Some(outline) = context.outline(side, time) {
         way(sketch, context, options, (side, time));
-        let hit = context.hit_time().filter(|hit| hit.lo == time);
-        let then = hit.map_or_else(|| number(time), |hit| Quantity::within(hit).latex());
-        elsewhere(sketch, context, options, (side, time, &then), &outline);
+        elsewhere(sketch, context, options, (side, time, &written(context, time)), &outline);
     }
 }
 

@@ -41,6 +41,7 @@ mod held;
 mod kinks;
 mod look_alike;
 mod merging;
+mod moment;
 mod naive;
 mod normal;
 mod note;

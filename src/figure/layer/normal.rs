@@ -10,7 +10,8 @@ use crate::geometry::{DVec2, Side};
 use crate::scene::When;
 use crate::trace::phrase;
 
-use super::separation::{NO_EDGE, edges};
+use super::moment;
+use super::separation::{Carrying, NO_EDGE, drawn, edges};
 use super::{Fed, LabelKey, Layer, ONE_OF_SEVERAL, OptionSpec, Options, Shows, Takes, Tells};
 
 /// Drawn length of the unit vector where the scene does not say, world units: its own.
@@ -82,15 +83,17 @@ fn found(context: &Context, options: &Options) -> Option<(f64, Separation)> {
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some((time, answer)) = found(context, options) else { return };
     let Some(from) = start(context, options, time, &answer) else { return };
+    let drawn = drawn(sketch, context, time, &answer);
     sketch.since(context.separation_at(time).map(|run| run.nearest()));
     let flip = options.flag("flip", false);
     let n = if flip { -answer.normal } else { answer.normal };
     let role = options.role(Role::Ink);
     let (key, letter) = if flip { ("N", "N") } else { ("n", "n") };
     let mut lines = vec![format!("${letter}$")];
+    lines.extend(moment::other(context, time));
     lines.extend((answer.ties != 1).then(|| ONE_OF_SEVERAL.to_owned()));
     let length = options.number("length");
-    let leg = edge(context, options, time, &answer).or_else(|| touched(context, time, &answer, from));
+    let leg = edge(options, &drawn).or_else(|| touched(&drawn, from));
     if let Some((on, leg)) = leg {
         sketch.part("right-angle").right_angle(on, leg, *n);
     }
@@ -142,31 +145,33 @@ pub(super) fn scaled(factor: f64, text: &str) -> String {
 fn start(context: &Context, options: &Options, time: f64, answer: &Separation) -> Option<DVec2> {
     let origin = |side| context.pose(side, time).map(|pose| pose.position);
     match options.word("from", "contact") {
-        "edge" => edge(context, options, time, answer).map(|(on, _)| on).or(Some(answer.points[0])),
+        "edge" => {
+            let all = edges(context, time, answer);
+            Some(edge(options, &all).map_or(answer.points[0], |(on, _)| on))
+        }
         "A" => origin(Side::A),
         "B" => origin(Side::B),
         _ => Some(answer.points[0]),
     }
 }
 
-/// The start of the arrow where it lies on an edge with a closest point, and the longer way along that edge.
-fn touched(context: &Context, time: f64, answer: &Separation, from: DVec2) -> Option<(DVec2, DVec2)> {
-    let near = edges(context, time, answer)
-        .into_iter()
-        .find(|(at, [p, q])| at.distance(from) <= ON_EDGE * p.distance(*q));
-    let (at, [p, q]) = near?;
+/// The start of the arrow where it lies on one of the edges with a closest point, and the longer way along
+/// that edge.
+fn touched(edges: &[Carrying], from: DVec2) -> Option<(DVec2, DVec2)> {
+    let near = edges.iter().find(|(_, at, [p, q])| at.distance(from) <= ON_EDGE * p.distance(*q));
+    let &(_, at, [p, q]) = near?;
     let far = if at.distance_squared(p) < at.distance_squared(q) { q } else { p };
     Some((from, far - at))
 }
 
-/// Where the arrow starts on the edge that carries a closest point, and a way along the edge from there: in
-/// the middle of the longer part beside that point. `None` where the scene wants it elsewhere, or no edge
-/// faces.
-fn edge(context: &Context, options: &Options, time: f64, answer: &Separation) -> Option<(DVec2, DVec2)> {
+/// Where the arrow starts on the first of the edges that carry a closest point, and a way along it from
+/// there: in the middle of the longer part beside that point. `None` where the scene wants it elsewhere, or
+/// there is no edge.
+fn edge(options: &Options, edges: &[Carrying]) -> Option<(DVec2, DVec2)> {
     if options.word("from", "") != "edge" {
         return None;
     }
-    let (at, ends) = edges(context, time, answer).into_iter().next()?;
+    let &(_, at, ends) = edges.first()?;
     let far = if at.distance_squared(ends[0]) < at.distance_squared(ends[1]) { ends[1] } else { ends[0] };
     let on = 0.5 * (at + far);
     Some((on, far - on))

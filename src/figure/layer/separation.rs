@@ -20,6 +20,7 @@ use crate::scene::When;
 use super::closest::{WayOut, longer, longer_way, unseen};
 use super::depth_disc::{disc, disc_place};
 use super::difference::difference;
+use super::moment;
 use super::{Fed, LabelKey, Layer, ONE_OF_SEVERAL, OptionSpec, Options, STEPS, Shows, Takes, Tells};
 
 /// At how many steps the separation is drawn; the later ones are a blur at the contact.
@@ -214,7 +215,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     // On the outer side of a line that is moved aside; a long text on a short arrow beyond one of its ends.
     let anchor = Anchor::Beside { from: q, to: p, offset };
     let ties = (answer.bounds.hi < 0.0 && answer.ties != 1).then(|| ONE_OF_SEVERAL.to_owned());
-    let lines = std::iter::once(text).chain(unseen(sketch, context, &answer)).chain(ties).collect();
+    let then = moment::other(context, run.time);
+    let lines =
+        std::iter::once(text).chain(then).chain(unseen(sketch, context, &answer)).chain(ties).collect();
     let label = Label { lines, ..Label::new(key, "", anchor, role) };
     sketch.since(run.end()).label(match options.words("text") {
         Some(lines) => label.given(lines),
@@ -230,9 +233,12 @@ fn points(sketch: &mut Sketch, options: &Options, answer: &Separation) {
     }
 }
 
-/// The edges that carry a witness point, each with that point: from end to end, moved out by the radius, in
-/// the world.
-pub(super) fn edges(context: &Context, time: f64, answer: &Separation) -> Vec<(DVec2, [DVec2; 2])> {
+/// An edge that carries a witness point: whose it is, that point, and from end to end, moved out by the
+/// radius, in the world.
+pub(super) type Carrying = (Side, DVec2, [DVec2; 2]);
+
+/// The edges that carry a witness point.
+pub(super) fn edges(context: &Context, time: f64, answer: &Separation) -> Vec<Carrying> {
     let edge = |(side, feature, point): (Side, Feature, DVec2)| {
         let (Feature::Edge(i), Some(body), Some(pose)) =
             (feature, context.body(side), context.pose(side, time))
@@ -243,16 +249,24 @@ pub(super) fn edges(context: &Context, time: f64, answer: &Separation) -> Vec<(D
         let ends = body.shape.edge_ends(i)?;
         let ends =
             ends.map(|k| body.shape.vertices.get(k).map(|&v| pose.point(v) + outward * body.shape.radius));
-        Some((point, [ends[0]?, ends[1]?]))
+        Some((side, point, [ends[0]?, ends[1]?]))
     };
     let [a, b] = answer.features;
     let [p, q] = answer.points;
     [(Side::A, a, p), (Side::B, b, q)].into_iter().filter_map(edge).collect()
 }
 
+/// The edges with a witness point that are drawn: of bodies that stand as in the panel, or beside ghosts.
+pub(super) fn drawn(sketch: &Sketch, context: &Context, time: f64, answer: &Separation) -> Vec<Carrying> {
+    let mut all = edges(context, time, answer);
+    let stands = |side| context.pose(side, time) == context.pose(side, context.time);
+    all.retain(|&(side, ..)| stands(side) || sketch.has_layer("ghosts"));
+    all
+}
+
 /// Draws the line of an edge that carries a witness point, beyond both of its ends.
 fn carrier(sketch: &mut Sketch, context: &Context, run: &Run, answer: &Separation) {
-    for (_, [p, q]) in edges(context, run.time, answer) {
+    for (.., [p, q]) in edges(context, run.time, answer) {
         let reach = (q - p).normalize_or_zero() * CARRIER;
         sketch.part("carrier").weight(Weight::Light);
         sketch.line(p - reach, p, Pen::construction()).line(q, q + reach, Pen::construction());
@@ -264,7 +278,7 @@ fn carrier(sketch: &mut Sketch, context: &Context, run: &Run, answer: &Separatio
 fn right_angles(sketch: &mut Sketch, context: &Context, run: &Run, answer: &Separation, aside: DVec2) {
     let [a, b] = answer.points;
     // Of two edges that face each other one is enough: they are parallel. B's, as the arrow's head is at A.
-    for (at, [p, q]) in edges(context, run.time, answer).into_iter().rev().take(1) {
+    for (_, at, [p, q]) in drawn(sketch, context, run.time, answer).into_iter().rev().take(1) {
         let other = if at == a { b } else { a };
         let foot = at + aside;
         let leg = if foot.distance_squared(p) > foot.distance_squared(q) { p } else { q };

@@ -162,7 +162,9 @@ fn shown(scene: &Scene) -> Vec<Thing> {
         }
     }
     let label = |request: &Request| {
-        let text = request.label.lines.join("|");
+        // What is of another moment says when that is.
+        let lines = request.label.lines.iter().filter(|line| !line.starts_with("at $t = "));
+        let text = lines.cloned().collect::<Vec<_>>().join("|");
         // What is left at a hit is a matter of roundings.
         let nothing = last_number(&text).abs() < f64::from(f32::EPSILON);
         // A body at another moment says when that is, which another beginning of the motion moves.
@@ -313,7 +315,9 @@ fn a_body_panel_shows_of_another_moment_what_it_shows_then() {
             for layer in ["separation", "normal"] {
                 let layer = format!("{{ layer = '{layer}', at = '{at}' }}");
                 let [early, late] = ["time = 0.1", &format!("time = '{at}'")]
-                    .map(|when| shown(&scene(bodies, &panel(when), &layer, VIEW)));
+                    .map(|when| shown(&scene(bodies, &panel(when), &layer, VIEW)))
+                    // The edge that it is against is only drawn then.
+                    .map(|things| things.into_iter().filter(|t| t.1 != "right-angle").collect::<Vec<_>>());
                 assert_same(&early, &late, &format!("{layer} in the frame of {frame}"));
             }
         }
