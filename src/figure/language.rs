@@ -243,6 +243,7 @@ pub(crate) static WORDS: &[Row] = &rows([
     ["* turned", "*", "* gedreht", "* après rotation", "* tras el giro"],
     ["pushed to *", "", "nach * geschoben", "poussée jusqu’à *", "llevada a *"],
     ["shared", "", "gemeinsam", "commun", "compartido"],
+    ["depth", "", "Tiefe", "profondeur", "profundidad"],
     ["square to *", "", "senkrecht zu *", "perpendiculaire à *", "perpendicular a *"],
     ["$*$, less", "$*$", "$*$, kleiner", "$*$, plus petit", "$*$, menor"],
     ["turns less", "", "dreht weniger", "tourne moins", "gira menos"],

@@ -64,7 +64,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "r1", about: "radius of A" },
         LabelKey { key: "r2", about: "radius of B" },
         LabelKey { key: "centers", about: "distance of the centres" },
-        LabelKey { key: "shared", about: "what both radii have of the line of the centres" },
+        LabelKey { key: "shared", about: "the depth; shared, where neither circle has the other's centre" },
     ],
     needs: "a round body; for lengths the algorithm \"circles\"",
     fed: |context, options| match options.word("as", "line") {
@@ -254,7 +254,9 @@ fn lengths(sketch: &mut Sketch, context: &Context, touching: bool) {
         let strip = Outline::polygon(&[p + track(1.0), q + track(1.0), q + track(2.0), p + track(2.0)]);
         let wash = Wash::faint(Role::Overlap, 1.0);
         sketch.part("shared").weight(Weight::Background).area(&strip, Some(wash), None);
-        let label = Label::new("shared", "shared", Anchor::inside(&strip), Role::Ink);
+        // Beyond a centre one radius has it alone.
+        let word = if compared.apart < radii[0].max(radii[1]) { "depth" } else { "shared" };
+        let label = Label::new("shared", word, Anchor::inside(&strip), Role::Ink);
         sketch.label(label.rank(Rank::Word).size(Size::Note));
     }
     for (i, length) in tracks.iter().enumerate() {

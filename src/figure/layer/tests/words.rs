@@ -182,3 +182,20 @@ fn of_two_bodies_that_are_drawn_apart_either_is_pushed_and_not_both() {
     assert_eq!(labels("en", ", of = ['hero']"), ["hero pushed out"]);
     assert_eq!(labels("de", ""), ["rock hinausgeschoben", "oder hero hinausgeschoben"]);
 }
+
+#[test]
+fn what_is_called_shared_is_no_more_than_both_radii_have() {
+    // Up to 2.5 the circles overlap; up to 2 the larger one has the other's centre.
+    for (x, word) in [(2.25, Some("shared")), (1.75, Some("depth")), (0.0, Some("depth")), (3.0, None)] {
+        let text = format!(
+            "shapes.A = {{ kind = 'circle', radius = 2 }}
+            shapes.B = {{ kind = 'circle', radius = 0.5, position = [{x}, 0] }}
+            query = {{ kind = 'separation', of = ['A', 'B'], algorithm = 'circles' }}
+            panels = [{{ layers = ['shapes', {{ layer = 'radii', as = 'lengths' }}] }}]"
+        );
+        let scene = open_text("shared", &text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let labels = super::labels(&draw(&plan, plan.theme, "shared"));
+        assert_eq!(labels.get("shared").map(|label| label.0.as_str()), word, "{x}");
+    }
+}
