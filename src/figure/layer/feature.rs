@@ -1,6 +1,7 @@
 //! An edge or a vertex of a body, emphasised: by its number, or those that carry the closest points. In
 //! configuration space the edges and vertices of B ⊖ A that come from it.
 
+use crate::collision::Separation;
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::difference::Difference;
@@ -221,7 +222,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let mut labelled = Vec::new();
     let asked = options.counts("edge").is_some() || options.counts("vertex").is_some();
     let run = context.separation_at(context.time).filter(|_| !asked);
-    let ties = run.as_ref().and_then(|run| run.separation()).is_some_and(|found| found.ties > 1);
+    let found = run.as_ref().and_then(|run| run.separation().copied());
     sketch.since(run.map(|run| run.nearest()));
     for Mark { side, feature, form, text } in marks(context, options) {
         sketch.part(part("feature", side));
@@ -257,6 +258,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         labelled.push((side, feature, text.clone()));
         let key = if side == Side::A { "feature.A" } else { "feature.B" };
         let mut lines = vec![text];
+        let ties = found.is_some_and(|found| is_one_of_several(context, (side, feature), &found));
         lines.extend(ties.then(|| ONE_OF_SEVERAL.to_owned()));
         let label = Label { lines, ..Label::new(key, "", anchor, role) };
         let label = label.rank(Rank::Word).size(Size::Note);
@@ -264,10 +266,51 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
 }
 
+/// Whether another edge or vertex of the body would do as well where several normals are as good: a segment
+/// has one edge, a point one vertex, and bodies that touch at a vertex do at no other.
+fn is_one_of_several(context: &Context, (side, feature): (Side, Feature), found: &Separation) -> bool {
+    let count = context.body(side).map_or(0, |body| body.shape.core.len());
+    let has_more = match feature {
+        Feature::Vertex(_) => count > 1 && found.bounds.hi < 0.0,
+        Feature::Edge(_) => count > 2,
+    };
+    found.ties > 1 && has_more
+}
+
 /// What a feature is called: `edge 1`.
 fn words(feature: Feature) -> String {
     match feature {
         Feature::Vertex(i) => format!("vertex {i}"),
         Feature::Edge(i) => format!("edge {i}"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::figure::layer::tests::labels;
+    use crate::figure::{draw, plan};
+    use crate::scene::open_text;
+
+    /// What is said of the features of two bodies.
+    fn said(a: &str, b: &str) -> [String; 2] {
+        let text = format!(
+            "shapes.A = {{ {a} }}\nshapes.B = {{ {b} }}
+            query = {{ kind = 'separation', of = ['A', 'B'] }}
+            panels = [{{ layers = ['feature'] }}]"
+        );
+        let scene = open_text("feature", &text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let labels = labels(&draw(&plan, plan.theme, "feature"));
+        ["feature.A", "feature.B"].map(|key| labels[key].0.clone())
+    }
+
+    #[test]
+    fn the_edge_of_a_segment_and_the_vertex_of_a_point_are_the_only_ones() {
+        let segment = "kind = 'capsule', points = [[-1, 0], [1, 0]], radius = 0";
+        let labels = said(segment, "kind = 'circle', radius = 0");
+        assert!(labels.iter().all(|label| !label.contains("several")), "{labels:?}");
+        let boxed = "kind = 'box', half_extents = [1, 1]";
+        let labels = said(boxed, boxed);
+        assert!(labels.iter().all(|label| label.contains("several")), "{labels:?}");
     }
 }
