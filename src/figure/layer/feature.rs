@@ -17,6 +17,10 @@ use super::half_extents::ON_LINE;
 use super::vertices::mean;
 use super::{Fed, LabelKey, Layer, ONE_OF_SEVERAL, OptionSpec, Options, Shows, Takes, Tells, part};
 
+/// Bodies that are nearer touch on the page, page pixels: the width of a line. What is outside of the one is
+/// inside the other there, and a label says whose edge it is.
+const UNSEEN: f64 = 2.25;
+
 pub(super) const LAYER: Layer = Layer {
     name: "feature",
     in_words: phrase(["feature", "ein Merkmal", "un élément", "un elemento"]),
@@ -256,6 +260,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
             continue;
         }
         labelled.push((side, feature, text.clone()));
+        let touching = found.is_some_and(|found| sketch.on_page(found.separation.abs()) < UNSEEN);
+        let is_named = touching && *context.space != Space::Configuration;
+        let text = if is_named { format!("{text} of {}", context.name(side)) } else { text };
         let key = if side == Side::A { "feature.A" } else { "feature.B" };
         let mut lines = vec![text];
         let ties = found.is_some_and(|found| is_one_of_several(context, (side, feature), &found));
@@ -312,5 +319,13 @@ mod tests {
         let boxed = "kind = 'box', half_extents = [1, 1]";
         let labels = said(boxed, boxed);
         assert!(labels.iter().all(|label| label.contains("several")), "{labels:?}");
+    }
+
+    #[test]
+    fn where_two_edges_are_on_one_line_each_says_whose_it_is() {
+        let boxed = "kind = 'box', half_extents = [1, 1]";
+        let at = |x: f64| said(boxed, &format!("{boxed}, position = [{x}, 0.2]"));
+        assert_eq!(at(2.0), ["edge 1 of $A$", "edge 3 of $B$"]);
+        assert_eq!(at(2.5), ["edge 1", "edge 3"]);
     }
 }
