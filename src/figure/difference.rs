@@ -112,10 +112,11 @@ impl Difference {
         self.center.filter(|_| self.edges.is_empty()).unwrap_or(sum / count)
     }
 
-    /// Where an edge of A and an edge of B that lie on one line meet, nearest the origin's foot.
+    /// Where an edge of A and an edge of B that lie on one line meet as they are drawn, nearest the origin's
+    /// foot.
     #[must_use]
     pub(crate) fn joint(&self) -> Option<DVec2> {
-        self.aligned().map(|[e, _]| e.to)
+        self.aligned().map(|[e, _]| self.drawn(&e).1)
     }
 
     /// The edges of A and of B that lie on one line, one after the other, nearest the origin's foot: both

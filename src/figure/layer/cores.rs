@@ -44,3 +44,13 @@ pub(super) fn radii_in_words(context: &Context) -> String {
     let terms = Side::BOTH.iter().filter(round).map(|side| context.numbered("r", *side));
     terms.collect::<Vec<_>>().join(" + ")
 }
+
+/// What leads from the difference of two vertices to the boundary of a round B ⊖ A, in LaTeX, as ` - r_1 n`;
+/// empty without radii.
+pub(super) fn less_radii(context: &Context) -> String {
+    match radii_in_words(context) {
+        radii if radii.is_empty() => radii,
+        radii if radii.contains('+') => format!(r" - ({radii})\,n"),
+        radii => format!(r" - {radii}\,n"),
+    }
+}

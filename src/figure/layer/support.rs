@@ -11,6 +11,7 @@ use crate::geometry::{DVec2, Feature, Side};
 use crate::scene::Space;
 use crate::trace::{Event, SupportVertex, phrase};
 
+use super::cores::less_radii;
 use super::difference::{difference, draw_edge};
 use super::half_extents::ON_LINE;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
@@ -217,23 +218,25 @@ fn mark(sketch: &mut Sketch, context: &Context, role: Role, vertex: Marked, anch
 /// Names where the parts of the nearest edge join, and its ends, by the vertices whose differences they are.
 fn name(sketch: &mut Sketch, context: &Context, role: Role) {
     let Some(found) = difference(context, context.time) else { return };
-    let (Some(joint), Some(parts)) = (found.joint(), found.aligned()) else { return };
+    let Some([first, second]) = found.aligned() else { return };
     let (Some(a), Some(b)) = (ends(context, &found, Side::A), ends(context, &found, Side::B)) else { return };
     let gap = |[p, q]: &[Marked; 2], place: DVec2| (q.point - p.point).distance(place);
-    let beyond = parts.map(|part| if part.from == joint { part.to } else { part.from });
-    // A round B ⊖ A has its ends elsewhere.
-    let beyond = beyond.into_iter().filter(|_| found.radius == 0.0).map(|end| ("end", end, Role::Difference));
-    for (key, place, role) in [("joint", joint, role)].into_iter().chain(beyond) {
+    // Of a round B ⊖ A only the joint has a name: it is the radii off from the difference of the vertices.
+    let radii = less_radii(context);
+    let beyond = [first.from, second.to].into_iter().filter(|_| radii.is_empty());
+    let beyond = beyond.map(|end| ("end", end, Role::Difference));
+    for (key, place, role) in [("joint", first.to, role)].into_iter().chain(beyond) {
         let pairs = a.into_iter().flat_map(|p| b.map(|q| [p, q]));
         let nearest = pairs.min_by(|one, other| gap(one, place).total_cmp(&gap(other, place)));
         let Some([p, q]) = nearest.map(|[p, q]| [q, p].map(|v| context.named(v.side).point(v.index))) else {
             continue;
         };
-        let at = place + context.estimate();
+        let at = place + first.normal * found.radius + context.estimate();
         if key == "end" {
             sketch.marker(at, Marker::Diamond, role, SMALL_MARKER);
         }
-        sketch.label(Label::new(key, format!("${p} - {q}$"), Anchor::point(at), role).rank(Rank::Point));
+        let text = format!("${p} - {q}{radii}$");
+        sketch.label(Label::new(key, text, Anchor::point(at), role).rank(Rank::Point));
     }
 }
 
@@ -293,7 +296,7 @@ fn on_body(context: &Context, edge: &Edge) -> Option<(DVec2, DVec2)> {
 #[cfg(test)]
 mod tests {
     use crate::drawing::Contour;
-    use crate::figure::layer::tests::paths;
+    use crate::figure::layer::tests::{labels, paths};
     use crate::figure::{draw, plan};
     use crate::geometry::DVec2;
     use crate::scene::open_text;
@@ -325,6 +328,34 @@ mod tests {
         let scene = open_text("support", text).unwrap().scene;
         let told: Vec<String> = plan(&scene).unwrap().warnings.iter().map(|w| w.fault.to_string()).collect();
         assert_eq!(told, ["`lengths` of `support` draws nothing: no edges face each other"]);
+    }
+
+    #[test]
+    fn the_joint_of_round_bodies_is_on_the_outline_and_the_radii_off_from_the_vertices() {
+        // B's lower edge lies 1.2 above A's upper one, without radii; the joint is at x = 2 − 1.5.
+        for (radii, y, text) in [
+            ([0.0, 0.0], 1.2, "$b_1 - a_2$"),
+            ([0.25, 0.0], 0.95, r"$b_1 - a_2 - r_1\,n$"),
+            ([0.25, 0.5], 0.45, r"$b_1 - a_2 - (r_1 + r_2)\,n$"),
+        ] {
+            let text_of = format!(
+                "shapes.A = {{ kind = 'box', half_extents = [1.5, 0.5], radius = {} }}
+                shapes.B = {{ kind = 'box', half_extents = [1, 0.5], radius = {}, position = [1, 2.2] }}
+                query = {{ kind = 'separation', of = ['A', 'B'] }}
+                panels = [{{ space = 'configuration', layers = [{{ layer = 'support', lengths = true }}] }}]",
+                radii[0], radii[1]
+            );
+            let scene = open_text("joint", &text_of).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let figure = draw(&plan, plan.theme, "joint");
+            let labels = labels(&figure);
+            assert_eq!(labels["joint"].0, text, "{radii:?}");
+            let marks = paths(&figure.drawing.items, "support");
+            let at = marks[0].contour.bounds().unwrap().center();
+            let frame = &figure.panels[0].frame;
+            let off = at - frame.page(DVec2::new(0.5, y));
+            assert!(off.length() < 0.5, "{radii:?}: {off:?}");
+        }
     }
 
     #[test]
