@@ -5,7 +5,7 @@ use crate::collision::{Answer, Expected, Outcome, Separation};
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Corner, Label, MARKER, Marker, Pen, Rank, Size, Sketch};
-use crate::figure::text::number;
+use crate::figure::text::{Quantity, number};
 use crate::geometry::{DVec2, Side};
 use crate::trace::phrase;
 
@@ -24,7 +24,10 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "A'", about: "the first body at the time expected" },
         LabelKey { key: "B'", about: "the second body at the time expected" },
         LabelKey { key: "expected", about: "the separation and the time expected" },
-        LabelKey { key: "ours", about: "our separation, beside theirs, where no layer `separation` says it" },
+        LabelKey {
+            key: "ours",
+            about: "our separation, beside theirs, if no `separation` or `approach` says it",
+        },
         LabelKey { key: "n", about: "our normal" },
         LabelKey { key: "n'", about: "the normal expected" },
     ],
@@ -51,9 +54,10 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         sketch.part("ours").marker(ours.points[0], Marker::Disc, Role::Translation, MARKER);
         sketch.part("ours").marker(ours.points[1], Marker::Square, Role::Translation, MARKER);
         // Both numbers stand on the picture, to be compared.
-        if theirs.separation.is_some() && theirs.points.is_some() && !sketch.has_layer("separation") {
+        let is_said = ["separation", "approach"].iter().any(|layer| sketch.has_layer(layer));
+        if theirs.separation.is_some() && !is_said {
             let anchor = Anchor::Beside { from: ours.points[1], to: ours.points[0], offset: 0.0 };
-            let text = format!("$s = {}$", number(ours.separation));
+            let text = format!("$s {}$", distance(context, ours));
             sketch.label(Label::new("ours", text, anchor, Role::Translation));
         }
     }
@@ -115,6 +119,13 @@ fn ours(context: &Context) -> Option<Separation> {
         }
         _ => run.separation().copied(),
     }
+}
+
+/// What stands after the letter of our separation; at the first contact what that leaves of it.
+fn distance(context: &Context, ours: &Separation) -> String {
+    let touching = context.hit_time().and_then(|hit| context.separation_at(hit.lo));
+    let found = touching.as_ref().and_then(|run| run.separation()).unwrap_or(ours);
+    Quantity::separation(found).equals(context.scene.query_at(context.time).rounding())
 }
 
 /// Draws a normal with its name.
@@ -179,6 +190,29 @@ mod tests {
         }
         let silent = open_text("s.toml", &text("")).unwrap().scene;
         assert!(plan(&silent).is_err(), "nothing is expected");
+    }
+
+    #[test]
+    fn our_separation_stands_beside_theirs_of_a_miss_and_of_a_hit() {
+        for (y, spin, expected, more, says) in [
+            (4.0, 0.0, "separation = 0.5", "", Some("$s = 2$")),
+            (4.0, 0.0, "separation = 0.5", ", 'approach'", None),
+            (4.0, 0.0, "time = 0.5", "", None),
+            (0.25, 45.0, "separation = 0.5", "", Some("$s = 0$")),
+        ] {
+            let text = format!(
+                "shapes.A = {{ kind = 'box', half_extents = [1, 1], velocity = [9, 0], position = [-4, 0],
+                    angular_velocity_deg = {spin} }}
+                shapes.B = {{ kind = 'circle', radius = 1, position = [0, {y}] }}
+                panels = [{{ layers = ['shapes', 'expected'{more}] }}]
+                [query]\nkind = 'time-of-impact'\nof = ['A', 'B']\nexpected = {{ {expected} }}"
+            );
+            let scene = open_text("s.toml", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let labels = labels(&draw(&plan, plan.theme, "s"));
+            let ours = labels.get("ours").map(|label| label.0.as_str());
+            assert_eq!(ours, says, "{y}, {expected}{more}");
+        }
     }
 
     #[test]
