@@ -4,7 +4,9 @@
 //! layer of the contact has nothing to draw; that is no mistake in the scene. A layer that no answer could
 //! ever feed is one.
 
+use crate::collision::{Answer, Outcome};
 use crate::figure::context::Context;
+use crate::scene::When;
 
 use super::Options;
 
@@ -53,6 +55,17 @@ impl Fed {
         }
     }
 
+    /// A layer of another moment, which the answer has or has not; a miss that is proved at the start has no
+    /// first step.
+    pub(super) fn by_a_moment(found: bool, context: &Context, when: Option<When>) -> Self {
+        match (&context.run().answer, when) {
+            (Answer::Impact(impact), Some(When::Bound)) if !found && impact.outcome == Outcome::Miss => {
+                Self::NotHere("the start alone proves that nothing touches, and there is no first step")
+            }
+            _ => Self::by_the_answer(found, context.asks_for_a_hit()),
+        }
+    }
+
     /// A layer of a step of the algorithm, which finds the one that is asked for or does not: whether any was
     /// told, and whether another answer could have some.
     pub(super) fn by_the_steps(found: bool, any: bool, ever: bool) -> Self {
@@ -74,6 +87,31 @@ impl Fed {
             (true, _) => Self::Yes,
             (false, Some(_)) => Self::NotHere(why),
             (false, None) => Self::Never,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::figure::plan;
+    use crate::scene::open_text;
+
+    #[test]
+    fn a_miss_without_a_first_step_says_so_and_one_with_it_has_the_moment() {
+        for (velocity, told) in [("[-3, 0]", true), ("[3, 0]", false)] {
+            let text = format!(
+                "shapes.A = {{ kind = 'box', half_extents = [1, 1], position = [-3, 3],
+                    velocity = {velocity} }}
+                shapes.B = {{ kind = 'circle', radius = 1 }}
+                query = {{ kind = 'time-of-impact', of = ['A', 'B'] }}
+                panels = [{{ layers = ['shapes', {{ layer = 'ghosts', at = 'bound' }},
+                    {{ layer = 'separation', at = 'bound' }}] }}]"
+            );
+            let scene = open_text("bound", &text).unwrap().scene;
+            let told_of: Vec<String> =
+                plan(&scene).unwrap().warnings.iter().map(|w| w.fault.to_string()).collect();
+            let said = told_of.iter().filter(|note| note.ends_with("and there is no first step")).count();
+            assert_eq!((said, told_of.len()), if told { (2, 2) } else { (0, 0) }, "{told_of:?}");
         }
     }
 }

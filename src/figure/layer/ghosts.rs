@@ -141,7 +141,7 @@ pub(super) const LAYER: Layer = Layer {
         },
         NOW => Fed::Yes.at_one_moment(options),
         STEPS => Fed::by_the_scene(!context.steps().is_empty()),
-        _ => Fed::by_the_answer(when(context, options).is_some(), context.asks_for_a_hit()),
+        _ => Fed::by_a_moment(when(context, options).is_some(), context, options.when("at")),
     },
     draw,
 };

@@ -114,8 +114,8 @@ pub(super) const LAYER: Layer = Layer {
     needs: "two bodies; for \"hit\" or another moment of a motion a question for the first contact; \
         for \"steps\" an advancement",
     fed: |context, options| match options.when("at") {
-        Some(When::Hit | When::Closest | When::Bound) => {
-            Fed::by_the_answer(found(context, options).is_some(), context.asks_for_a_hit())
+        when @ Some(When::Hit | When::Closest | When::Bound) => {
+            Fed::by_a_moment(found(context, options).is_some(), context, when)
         }
         _ if is_of_steps(options) => Fed::by_the_scene(!context.steps().is_empty()),
         _ => found(context, options).map_or(Fed::Never, |run| beside(context, options, &run)),
