@@ -187,6 +187,12 @@ async function figure(stem) {
     }
     const time = page.locator(".numbers input").last();
     if ((await page.locator(".time").count()) > 0) {
+        await time.fill("0.25");
+        await time.press("Enter");
+        await page.waitForTimeout(SAID);
+        const at = Number(await time.inputValue()).toFixed(2);
+        const readout = await page.textContent(".time output");
+        if (readout.replace(",", ".") !== `t = ${at}`) fail(stem, `the playhead says "${readout}" at ${at}`);
         await time.fill("-1.2");
         await time.press("Enter");
         await frame(page);
@@ -194,6 +200,14 @@ async function figure(stem) {
         if (told.join() !== "0,") fail(stem, `a time before the first gives ${told}`);
         await page.waitForTimeout(SAID);
     }
+    const stops = await page.evaluate(() => {
+        const hidden = document.querySelectorAll(".knob[aria-hidden]");
+        return Array.from(hidden).filter(({ tabIndex }) => tabIndex >= 0).length;
+    });
+    if (stops > 0) fail(stem, `${stops} handles without a name are stops of the keyboard`);
+    const heard = await page.evaluate(() => [document.querySelector(".say").lang, document.documentElement.lang]);
+    const told = ["de", "fr", "es"].includes(heard[1]) ? heard[1] : "en";
+    if (heard[0] !== told) fail(stem, `a page in ${heard[1]} is heard in ${heard[0]}`);
     await page.evaluate(axe);
     const { violations } = await page.evaluate(() => globalThis.axe.run());
     for (const { id, help, nodes } of violations) fail(stem, `axe: ${id}, ${help}: ${nodes[0].html.slice(0, 200)}`);

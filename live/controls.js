@@ -44,12 +44,14 @@ class Knob {
         const { name, value, range: [lo, hi] } = handle;
         const first = (numbers) => [numbers].flat()[0];
         const heard = {
-            role: "slider", tabindex: 0, "aria-label": name, "aria-valuetext": this.figure.inWords(value),
+            role: "slider", "aria-label": name, "aria-valuetext": this.figure.inWords(value),
             "aria-valuenow": first(value), "aria-valuemin": first(lo), "aria-valuemax": first(hi),
         };
         this.wear("transform", `translate(${x} ${y})`);
         for (const [key, words] of Object.entries(heard)) this.wear(key, isStop ? words : undefined);
         this.wear("aria-hidden", isStop ? undefined : "true");
+        // What listens to keys is a stop of its own in Chromium.
+        this.wear("tabindex", isStop ? 0 : -1);
     }
 
     // Sets an attribute, or takes it away, where that is not done yet.
@@ -73,13 +75,13 @@ class Knob {
     drag(event) {
         if (!this.off) return;
         const [x, y] = this.figure.pointer(event);
-        // A view that fits what is drawn widens as that moves: by its new scale a way out would grow
-        // with itself.
-        const from = this.taken.pull.plane ? this.taken : this.handle;
+        // A view that fits what is drawn widens as that moves: by its new scale a way out would grow with
+        // itself. So a value is that of the pointer's place in the picture where it was taken.
+        const from = this.taken;
         const value = followed(from, [x + this.off[0], y + this.off[1]]);
         const step = event.altKey ? 0 : this.figure.snap(from);
         const clean = step ? snapped(value, step) : tidy(value, from);
-        this.figure.want(this.handle, within(clean, this.handle));
+        this.figure.want(this.handle, within(clean, from));
     }
 
     release() {
@@ -134,7 +136,10 @@ class Row {
         const change = () => {
             this.typed = undefined;
             const numbers = this.fields.map((field) => field.valueAsNumber);
-            if (!numbers.every(Number.isFinite)) return;
+            if (!numbers.every(Number.isFinite)) {
+                figure.shown();
+                return;
+            }
             const value = words.length > 1 ? numbers : numbers[0];
             const asked = handle.grip === "time" ? within(value, handle) : value;
             figure.alive(() => figure.attempt(handle, asked));

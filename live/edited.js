@@ -7,16 +7,26 @@ class Edited {
         this.first = new Map(); // What the scene says there.
     }
 
+    // The language of our words: the scene's, or English.
+    get language() {
+        const [language] = (this.scene.lang ?? "en").toLowerCase().split("-");
+        return WORDS[language] ? language : "en";
+    }
+
+    // The value of a handle by its key as it is now.
+    valueOf(key) {
+        return this.edits.get(key)?.value ?? this.first.get(key);
+    }
+
     // Words of ours in the language of the scene, with what stands in their places.
     word(key, ...parts) {
-        const [language] = (this.scene.lang ?? "en").toLowerCase().split("-");
-        const said = (WORDS[language] ?? WORDS.en)[key];
+        const said = WORDS[this.language][key];
         return parts.reduce((words, part) => words.replace("{}", () => part), said);
     }
 
     // Digits as the scene's language writes them, and a value in words.
     number(digits) {
-        return ["de", "fr", "es"].includes(this.scene.lang?.slice(0, 2)) ? digits.replace(".", ",") : digits;
+        return this.language !== "en" ? digits.replace(".", ",") : digits;
     }
 
     inWords(value) {
@@ -59,6 +69,8 @@ class Edited {
             this.engine.x.tf_step(WHOLE);
             this.why.textContent = "";
             this.settleNow();
+            // The button is gone now, and what is next to it has its place.
+            this.bar.querySelector(".acts button:last-child").focus({ preventScroll: true });
         });
     }
 
@@ -74,6 +86,24 @@ class Edited {
             this.text.value = written;
             this.text.select();
         }
+    }
+
+    // What a reader hears: why not all was done, and the result; or what the step says that is shown.
+    words() {
+        const why = this.why.textContent;
+        const step = this.info.steps?.[this.step - 1];
+        this.entitle();
+        const whole = why.replace(/[^.!?]$/, "$&.");
+        if (!step || why) return [whole, this.info.sentence].filter(Boolean).join(" ");
+        const colon = this.language === "fr" ? "\u00a0:" : ":";
+        return `${step.title}${colon} ${step.sentences.join(" ")}`;
+    }
+
+    // The title of a page that says the result.
+    entitle() {
+        const { sentence } = this.info;
+        if (this.alone && this.told) document.title = document.title.replace(this.told, () => sentence);
+        this.told = sentence;
     }
 
     toAddress() {
@@ -99,7 +129,9 @@ class Edited {
     takeAddress() {
         const parts = this.alone ? location.hash.slice(1).split("&").filter(Boolean) : [];
         const said = new Map(parts.map((part) => part.split("=")));
-        for (const handle of this.info.handles) {
+        const isKnown = this.info.handles.some(({ grip }) => grip === "time");
+        const clock = isKnown || !this.clock ? [] : [this.clock];
+        for (const handle of [...this.info.handles, ...clock]) {
             const numbers = said.get(addressOf(handle.paths[0]))?.split(",").map(Number);
             if (numbers?.length !== [handle.value].flat().length || !numbers.every(Number.isFinite)) continue;
             this.attempt(handle, Array.isArray(handle.value) ? numbers : numbers[0]);

@@ -5,7 +5,7 @@ import { join } from 'node:path';
 
 const sources = new URL('../src', import.meta.url).pathname;
 /** The fields that a list shows, and the file whose rows have them without a name. */
-const FIELDS = /\b(?:about|default): "((?:[^"\\]|\\.)*)"/gs;
+const FIELDS = /\b(?:about|default|needs): "((?:[^"\\]|\\.)*)"/gs;
 const ROWS = join('scene', 'fields.rs');
 const LITERAL = /"((?:[^"\\]|\\.)*)"/gs;
 /** Bytes of the shortest that is worth it, and of the shortest in a row, where words of scenes stand too. */

@@ -42,7 +42,7 @@ class Figure extends Edited {
     constructor(root, request, alone) {
         const { scene, info } = JSON.parse(request);
         super(scene);
-        Object.assign(this, { root, alone, info });
+        Object.assign(this, { root, alone, info, told: info?.sentence });
         this.stage = root.querySelector("figure");
         this.picture = new Picture(this.stage.querySelector("svg"));
         this.knobs = new Map();
@@ -91,6 +91,7 @@ class Figure extends Edited {
     fill() {
         const live = this.scene.live ?? {};
         const time = this.info.handles.find((handle) => handle.grip === "time");
+        this.clock = time;
         if (time) this.bar.append(this.playhead(time));
         if ((this.info.steps?.length ?? 0) > 1 && live.steps !== false) {
             const go = (to) => () => this.toStep(to());
@@ -98,9 +99,9 @@ class Figure extends Edited {
             const now = () => Math.min(this.step, last() + 1);
             const [back, on] = [() => Math.max(now() - 1, 1), () => (now() >= last() ? WHOLE : now() + 1)];
             this.count = make("span", { class: "count" });
-            const before = button(sign("◀"), go(back), { "aria-label": this.word("before") });
-            const after = button(sign("▶"), go(on), { "aria-label": this.word("after") });
-            this.bar.append(make("span", { class: "steps" }, before, this.count, after));
+            this.before = button(sign("◀"), go(back), { "aria-label": this.word("before") });
+            this.after = button(sign("▶"), go(on), { "aria-label": this.word("after") });
+            this.bar.append(make("span", { class: "steps" }, this.before, this.count, this.after));
         }
         const things = [...new Set(this.info.handles.filter(({ at }) => at).map(this.thing, this))];
         const hint = make("p", { class: "hint" }, this.word("drag", things.join(", ")));
@@ -176,9 +177,12 @@ class Figure extends Edited {
                 else bad = middle;
             }
         }
-        if (!this.draw()) return;
-        this.root.toggleAttribute("data-untold", true); // What is said is of before.
         this.remember(handle, reached);
+        if (!this.draw()) {
+            this.remember(handle, before);
+            return;
+        }
+        this.root.toggleAttribute("data-untold", true); // What is said is of before.
         this.refuse(why);
     }
 
@@ -219,18 +223,19 @@ class Figure extends Edited {
             const key = keyOf(handle);
             if (!this.first.has(key)) this.first.set(key, this.written(handle) ?? handle.value);
             this.row(handle).show(handle.value);
-            if (handle.grip === "time") this.showTime(handle.value);
             if (!handle.at) continue;
             const knob = this.knob(handle);
             seen.add(knob);
             knob.place(handle, !stops.has(key));
             stops.add(key);
         }
+        // A panel that was given a time has no playhead that the module knows of.
+        if (this.clock) this.showTime(this.valueOf(keyOf(this.clock)));
         for (const knob of this.knobs.values()) knob.element.classList.toggle("gone", !seen.has(knob));
         // What has left its panel has no handle, and numbers still.
         const keys = new Set(this.info.handles.map(keyOf));
         for (const [key, row] of this.rows) {
-            if (!keys.has(key)) row.show(this.edits.get(key)?.value ?? this.first.get(key));
+            if (!keys.has(key)) row.show(this.valueOf(key));
         }
         const held = this.info.handles.map(({ panel, name }) => `${panel} ${name}`).join();
         // The module's first picture is compared with that of the page as it came.
@@ -239,6 +244,8 @@ class Figure extends Edited {
         if (this.count) {
             const [now, last] = [this.step, this.info.steps.length];
             this.count.textContent = now >= last ? this.word("steps", last) : this.word("step", now, last);
+            this.before.setAttribute("aria-disabled", now <= 1);
+            this.after.setAttribute("aria-disabled", now >= last);
         }
     }
 
@@ -359,14 +366,7 @@ class Figure extends Edited {
 
     speak(pause = PAUSE) {
         clearTimeout(this.voice);
-        this.voice = setTimeout(() => this.tell(this.words(), "en"), pause);
-    }
-
-    words() {
-        const why = this.why.textContent;
-        const step = this.info.steps?.[this.step - 1];
-        if (!step || why) return [why, this.info.sentence].filter(Boolean).join(" ");
-        return `${step.title}: ${step.sentences.join(" ")}`;
+        this.voice = setTimeout(() => this.tell(this.words(), this.language), pause);
     }
 
     tell(words, language) {

@@ -4,8 +4,9 @@ use std::collections::BTreeSet;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-use tracefig::figure::plain;
+use tracefig::figure::{draw, plain, plan};
 use tracefig::output::{Gallery, INLINE, gallery, live_runtime};
+use tracefig::scene::Scene;
 
 use super::Status;
 use super::atomic_file::{Wait, write_whole};
@@ -14,6 +15,9 @@ use super::inputs::shown;
 use super::jobs::{Job, Target};
 use super::live::{Live, MODULE, RUNTIME, below, heading, index_of, live_of, root};
 use super::written::cant_write;
+
+/// How a value begins that a text takes from the answer.
+const VALUE: &str = "{=";
 
 /// Writes what the pages of a run share: the runtime, and the page that lists them. Pages that `written` does
 /// not name were not written.
@@ -72,6 +76,15 @@ fn index(pages: &[(&Job, &Target)]) -> Option<(PathBuf, String)> {
     Some((path, gallery(&ordered)))
 }
 
+/// What a page claims: its headline, or the short text of its picture where the headline has values in it.
+fn claim(scene: &Scene) -> String {
+    let Some(headline) = &scene.headline else { return String::new() };
+    if !headline.value.contains(VALUE) {
+        return plain(&headline.value);
+    }
+    plan(scene).map(|plan| draw(&plan, plan.theme, "").drawing.title).unwrap_or_default()
+}
+
 /// A page's entry in the list, and whether its scene says what can be moved.
 fn entry(job: &Job, target: &Target) -> Option<(bool, Gallery)> {
     let Target::File(path) = target else { return None };
@@ -79,7 +92,8 @@ fn entry(job: &Job, target: &Target) -> Option<(bool, Gallery)> {
     let name = below(job, target)?.join(path.file_name()?);
     let address = |path: &Path| path.to_string_lossy().replace('\\', "/");
     let picture = address(&name.with_extension(INLINE.name));
-    let words = file.scene.headline.as_ref().map(|text| plain(&text.value)).unwrap_or_default();
-    let entry = Gallery { page: address(&name), picture, title: heading(&file, job), words };
+    let lang = file.scene.lang.as_ref().map(|lang| lang.value.clone());
+    let words = claim(&file.scene);
+    let entry = Gallery { page: address(&name), picture, title: heading(&file, job), words, lang };
     Some((file.scene.live.drag.is_some(), entry))
 }

@@ -324,7 +324,11 @@ fn description(plan: &Plan, run: &Run) -> String {
         names.filter_map(find).map(|layer| &layer.in_words).collect()
     };
     let panels: Vec<_> = (plan.panels.iter())
-        .map(|panel| Shown { panel: &panel.source, is_chart: panel.is_chart(), layers: shown(panel) })
+        .map(|panel| {
+            let (asked, layers) = (panel.source.when.as_ref().map(|when| when.value), shown(panel));
+            let when = asked.map(|asked| describe::shown_at(asked, panel.moment.step, &run.answer));
+            Shown { panel: &panel.source, is_chart: panel.is_chart(), when, layers }
+        })
         .collect();
     let long = match exercise::spoken(plan.scene, &plan.runs) {
         Some(question) => {

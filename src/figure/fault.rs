@@ -252,6 +252,7 @@ impl Explain for Fault {
         }
     }
 
+    #[expect(clippy::too_many_lines, reason = "one arm a fault, and nothing else")]
     fn help(&self) -> Option<String> {
         match self {
             Self::Scene(fault) => fault.help(),
@@ -327,6 +328,24 @@ impl fmt::Display for Fault {
             Self::NoHit => {
                 f.write_str("the panel shows the moment of a hit or a miss, but the question is not for one")
             }
+            Self::UnsuitedLayer { layer, space } => {
+                write!(f, "the layer `{layer}` is of the space `{space}`, and the panel of another")
+            }
+            Self::UnfedLayer { layer, .. } => write!(f, "this scene can't feed the layer `{layer}`"),
+            Self::BadTheme { name, reason } => write!(f, "the theme `{name}` can't be used: {reason}"),
+            Self::BadMarkup { markup, reason } => write!(f, "`{markup}` can't be typeset: {reason}"),
+            Self::OffPage { group } => write!(f, "`{group}` has a place that is not on any page"),
+            // A page shows the picture, and is told of nothing that could be better.
+            _ if cfg!(tracefig_page) => Ok(()),
+            note => note.said(f),
+        }
+    }
+}
+
+impl Fault {
+    /// What is said of a picture that is drawn all the same.
+    fn said(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
             Self::OtherMoment { shown, asked, why } => {
                 write!(f, "the panel shows {shown} in place of {asked}: {why}")
             }
@@ -355,24 +374,18 @@ impl fmt::Display for Fault {
                 write!(f, "`{name}` is not on the picture: it is far from the bodies of the query")
             }
             Self::NoLayers => f.write_str("the panel stays empty: its list of layers has none"),
-            Self::UnsuitedLayer { layer, space } => {
-                write!(f, "the layer `{layer}` is of the space `{space}`, and the panel of another")
-            }
             Self::SharedChart { layer } => {
                 write!(f, "`{layer}` has axes of its own, and its lines run through the other layers")
             }
-            Self::UnfedLayer { layer, .. } => write!(f, "this scene can't feed the layer `{layer}`"),
             Self::BadName { name, shown, reason, .. } => {
                 write!(f, "the picture calls `{name}` {shown}: {reason}")
             }
-            Self::BadTheme { name, reason } => write!(f, "the theme `{name}` can't be used: {reason}"),
-            Self::BadMarkup { markup, reason } => write!(f, "`{markup}` can't be typeset: {reason}"),
             Self::TextDropped { what, lines, room } => {
                 write!(f, "the {what} takes {lines} lines and the page has room for {room}: it is left out")
             }
-            Self::OffPage { group } => write!(f, "`{group}` has a place that is not on any page"),
             Self::LabelClash { fault, panel: Some(panel), .. } => write!(f, "{fault} (panel {panel})"),
-            Self::LabelClash { fault, .. } => fault.fmt(f),
+            Self::LabelClash { fault, .. } => write!(f, "{fault}"),
+            _ => Ok(()),
         }
     }
 }

@@ -75,6 +75,10 @@ pub(super) fn called(scene: &Scene) -> Called {
 
 /// A note for each name on the picture that another one stands for.
 pub(super) fn replaced(scene: &Scene, called: &Called) -> Vec<Problem> {
+    // A page is told of nothing that could be better.
+    if cfg!(tracefig_page) {
+        return Vec::new();
+    }
     let note = |replaced: Replaced| {
         let (name, shown) = (replaced.name.value.clone(), replaced.shown.to_owned());
         let fault = Fault::BadName { name, shown, key: replaced.key, reason: replaced.reason.to_owned() };

@@ -4,7 +4,7 @@
 //! words of ours at all: what has a formula keeps that, and what is a word alone is left out.
 
 use crate::scene::Scene;
-use crate::trace::text;
+use crate::trace::{Tongue, text};
 
 /// The languages of the columns after the second one, by their ISO 639 code.
 const LANGUAGES: [&str; 3] = ["de", "fr", "es"];
@@ -344,11 +344,7 @@ impl Language {
     fn said(self, rows: &[Row], english: &str) -> String {
         let found = rows.iter().find_map(|row| Some((row, taken(row[0], english)?)));
         let Some((row, parts)) = found else { return english.to_owned() };
-        let mut said = text(row, self.column).to_owned();
-        for part in parts {
-            said = said.replacen(STAR, &part.replace(STAR, "\u{0}"), 1);
-        }
-        said.replace('\u{0}', "*")
+        Tongue::new(self.of_sentences(), false).filled(text(row, self.column), &parts)
     }
 }
 

@@ -226,10 +226,17 @@ impl<'r, 's> Resolver<'r, 's> {
                 }
                 return Some(Resolved::Drawn(LayerPlan { layer, options, span: span.clone() }));
             }
+            // A page is told of nothing that could be better.
+            Fed::NotByThisAnswer | Fed::NotHere(_) if cfg!(tracefig_page) => {
+                return Some(Resolved::Unfed(layer));
+            }
             Fed::NotByThisAnswer => standing(&context.run().answer),
             Fed::NotHere(why) => why,
             Fed::Never => {
-                let needs = needs(layer, spec).to_owned() + &there_are(context, &options);
+                // A page says what is wrong, and not what would help.
+                let is_told = !cfg!(tracefig_page);
+                let told = || needs(layer, spec).to_owned() + &there_are(context, &options);
+                let needs = if is_told { told() } else { String::new() };
                 let fault = Fault::UnfedLayer { layer: layer.name, needs };
                 self.problems.push(Problem::new(fault, span.clone()));
                 return None;

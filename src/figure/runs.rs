@@ -309,8 +309,8 @@ impl Runs {
         }
     }
 
-    /// The end of the scene's own run about the moment of a query that is another one than the scene's; `None`
-    /// where the scene asks about a motion.
+    /// The end of the scene's own run about the moment of a query that is another one than the scene's;
+    /// `None` where the scene asks about a motion.
     fn end_beside(&self, scene: &Scene, query: &Query) -> Option<Cue> {
         let is_beside = !self.is_blind && query.kind != scene.query.kind && is_of_a_moment(scene.query.kind);
         is_beside.then(|| self.own(scene, query.time).end())

@@ -129,7 +129,7 @@ mod tests {
         let of = |item: &Item| match item {
             Item::Group(group) => passing(&group.items),
             Item::Path(path) if path.shown.until.is_some() => {
-                let short = |r: &Rect| (r.x1 - r.x0).hypot(r.y1 - r.y0) < 40.0;
+                let short = |r: &Rect| r.x1 - r.x0 < 30.0 && r.y1 - r.y0 < 30.0;
                 path.contour.bounds().filter(short).into_iter().collect()
             }
             _ => Vec::new(),

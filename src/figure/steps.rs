@@ -84,7 +84,9 @@ pub(super) fn numbered(
     }
     let count = steps.len();
     let (steps, counted, unused) = worded(steps, &scene.steps);
-    let note = unused.map(|words| Problem::new(Fault::NoStepLeft { count }, words.span.clone()));
+    let note = unused
+        .filter(|_| !cfg!(tracefig_page))
+        .map(|words| Problem::new(Fault::NoStepLeft { count }, words.span.clone()));
     for scope in scopes {
         let number = |number: usize| {
             let cue = scope.cue(number)?;

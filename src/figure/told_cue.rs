@@ -74,8 +74,8 @@ impl Told {
     }
 }
 
-/// What a step of an advancement says beside its own: how many came before of which the figure shows none, and
-/// how far apart the bodies are, where no mark comes with that and how far it is safe follows from it.
+/// What a step of an advancement says beside its own: how many came before of which the figure shows none,
+/// and how far apart the bodies are, where no mark comes with that and how far it is safe follows from it.
 fn advanced((run, event): (&Run, &Event), (cue, all): (Cue, &[Cue]), voice: Voice) -> Option<String> {
     let number = |event: &Event| match event {
         Event::Advanced { step, .. } => Some(*step),
@@ -149,6 +149,28 @@ mod tests {
         assert!(said.iter().filter(safe).count() > 2, "{said:?}");
         assert!(said.iter().filter(safe).all(|said| said.contains("apart along")), "{said:?}");
         assert!(said.iter().any(|said| said.starts_with("Steps in between: ")), "{said:?}");
+    }
+
+    #[test]
+    fn a_bound_is_told_of_the_body_that_turns() {
+        let rotor = "kind = 'box', half_extents = [2, 0.2], angular_velocity_deg = 200";
+        let mast = "kind = 'box', half_extents = [1, 1], position = [4, 1], velocity = [-1, 0]";
+        let all = steps(rotor, mast, "kind = 'motion-bound'");
+        let said: String = all.iter().flat_map(|step| step.sentences.clone()).collect();
+        assert!(said.contains("No point of A turns farther than L = "), "{said}");
+        assert!(!said.contains("L = θ r = 0."), "{said}");
+    }
+
+    #[test]
+    fn the_long_text_names_the_moment_that_a_panel_shows() {
+        let text = "shapes.A = { kind = 'circle', radius = 1, velocity = [4, 0] }
+            shapes.B = { kind = 'circle', radius = 1, position = [2, 4] }
+            query = { kind = 'linear-sweep', of = ['A', 'B'] }
+            panels = [{ time = 'hit', layers = ['shapes'] }]";
+        let scene = open_text("s", text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let said = draw(&plan, plan.theme, "f").drawing.desc;
+        assert!(said.contains("the world at the closest approach: shapes"), "{said}");
     }
 
     #[test]

@@ -57,10 +57,10 @@ pub struct Frame {
     /// The picture as SVG: what `tracefig render` writes for the scene as it is now.
     pub svg: String,
     /// What it says, as JSON: `sentence`, the result in words; `answer`, as `tracefig solve --jsonl` has it;
-    /// `notes`, what this answer lacks of what the scene asks to show; `handles`, what can be dragged
-    /// ([`handles_json`](crate::figure::handles_json)); `steps`, each with its `title` and `sentences`;
-    /// `panels`, each with its `rect` on the page, left, top, right, bottom, and where its space lies there:
-    /// its `zero`, and what a unit of `x` and of `y` is.
+    /// `notes`, what this answer lacks of what the scene asks to show (the module of pages has none);
+    /// `handles`, what can be dragged ([`handles_json`](crate::figure::handles_json)); `steps`, each with its
+    /// `title` and `sentences`; `panels`, each with its `rect` on the page, left, top, right, bottom, and
+    /// where its space lies there: its `zero`, and what a unit of `x` and of `y` is.
     pub panel: String,
 }
 

@@ -13,7 +13,7 @@ pub(super) fn panel(plan: &Plan<'_>, draws: &Figure) -> String {
     let notes: Vec<String> = plan
         .warnings
         .iter()
-        .filter(|problem| problem.fault.severity() == Severity::Note)
+        .filter(|problem| !cfg!(tracefig_page) && problem.fault.severity() == Severity::Note)
         .map(|problem| problem.fault.to_string())
         .collect();
     let frames = draws.panels.iter().map(|panel| {

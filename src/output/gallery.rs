@@ -27,6 +27,8 @@ pub struct Gallery {
     pub title: String,
     /// What it claims, in plain words; may be empty.
     pub words: String,
+    /// The language of both, as BCP 47 has it; `None` is English.
+    pub lang: Option<String>,
 }
 
 /// The page that lists others, in their order. It runs nothing, and loads their pictures alone.
@@ -34,8 +36,8 @@ pub struct Gallery {
 /// ```
 /// use tracefig::output::{Gallery, gallery};
 /// let [page, picture, title, words] = ["a.html", "a.svg", "A & B", "They touch"].map(str::to_owned);
-/// let list = gallery(&[Gallery { page, picture, title, words }]);
-/// assert!(list.contains("<a href=\"a.html\">") && list.contains("<strong>A &amp; B</strong>"));
+/// let list = gallery(&[Gallery { page, picture, title, words, lang: Some("en".to_owned()) }]);
+/// assert!(list.contains("<a lang=\"en\" href=\"a.html\">") && list.contains("<strong>A &amp; B</strong>"));
 /// ```
 #[must_use]
 pub fn gallery(pages: &[Gallery]) -> String {
@@ -47,16 +49,26 @@ pub fn gallery(pages: &[Gallery]) -> String {
     out.push_str("<title>Figures to move</title>\n<style>");
     out.push_str(STYLE);
     out.push_str("</style>\n</head>\n<body>\n<main>\n<h1>Figures to move</h1>\n<ul>\n");
-    for Gallery { page, picture, title, words } in pages {
-        out.push_str("<li><a href=\"");
+    for Gallery { page, picture, title, words, lang } in pages {
+        out.push_str("<li><a");
+        if let Some(lang) = lang {
+            out.push_str(" lang=\"");
+            escape(&mut out, lang);
+            out.push('"');
+        }
+        out.push_str(" href=\"");
         push_address(&mut out, page);
         out.push_str("\"><img loading=\"lazy\" alt=\"\" src=\"");
         push_address(&mut out, picture);
         out.push_str("\"><strong>");
         escape(&mut out, title);
-        out.push_str("</strong><span>");
-        escape(&mut out, words);
-        out.push_str("</span></a></li>\n");
+        out.push_str("</strong>");
+        if !words.is_empty() {
+            out.push_str("<span>");
+            escape(&mut out, words);
+            out.push_str("</span>");
+        }
+        out.push_str("</a></li>\n");
     }
     out.push_str("</ul>\n</main>\n</body>\n</html>\n");
     out
@@ -82,7 +94,7 @@ mod tests {
     fn names_of_files_are_addresses_and_words_stay_words() {
         let [page, picture] = ["über #1.html", "über #1.svg"].map(str::to_owned);
         let [title, words] = ["<b>", "a \"b\""].map(str::to_owned);
-        let list = gallery(&[Gallery { page, picture, title, words }]);
+        let list = gallery(&[Gallery { page, picture, title, words, lang: None }]);
         assert!(list.contains("href=\"%C3%BCber%20%231.html\"") && list.contains("&lt;b"), "{list}");
         assert!(!list.contains("<script") && !list.contains("<b>"));
     }

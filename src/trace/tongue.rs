@@ -62,7 +62,12 @@ impl Tongue {
 
     /// A phrase with the values that stand for its stars.
     pub(crate) fn say(self, phrase: &[&'static str], values: &[&str]) -> String {
-        let mut pieces = self.word(phrase).split(STAR);
+        self.filled(self.word(phrase), values)
+    }
+
+    /// Words with the values that stand for their stars.
+    pub(crate) fn filled(self, words: &str, values: &[&str]) -> String {
+        let mut pieces = words.split(STAR);
         let mut said = pieces.next().unwrap_or_default().to_owned();
         for (piece, value) in pieces.zip(values) {
             self.meet(&mut said, value);

@@ -173,6 +173,7 @@ pub(crate) const ROOMS: &[Row] = &[
     ("figure/difference", &["geometry", "trace", "figure/sketch"]),
     ("figure/distances", &["geometry", "collision"]),
     ("figure/again", &["geometry", "collision", "scene"]),
+    ("figure/touching", &["geometry", "collision"]),
     (
         "figure/runs",
         &[
@@ -186,10 +187,10 @@ pub(crate) const ROOMS: &[Row] = &[
             "figure/distances",
             "figure/limits",
             "figure/question",
+            "figure/touching",
         ],
     ),
     ("figure/moving_frame", &["geometry", "collision"]),
-    ("figure/touching", &["geometry", "collision"]),
     (
         "figure/context",
         &[

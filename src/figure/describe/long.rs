@@ -1,5 +1,6 @@
 //! The long text: a paragraph.
 
+use crate::collision::{Answer, Outcome};
 use crate::figure::question::is_found_on_the_difference;
 use crate::figure::runs::Run;
 use crate::figure::text::plain;
@@ -22,6 +23,8 @@ pub(crate) struct Shown<'p> {
     pub(crate) panel: &'p Panel,
     /// Whether it is a chart.
     pub(crate) is_chart: bool,
+    /// The moment that it shows, by name; `None` where it has none.
+    pub(crate) when: Option<When>,
     /// What its layers are called.
     pub(crate) layers: Vec<&'static Phrase>,
 }
@@ -78,7 +81,7 @@ pub(crate) fn shown(scene: &Scene, panels: &[Shown]) -> String {
     let speech = Speech::of(scene);
     let mut text = String::new();
     let many = panels.len() > 1;
-    for (i, Shown { panel, is_chart, layers }) in panels.iter().enumerate() {
+    for (i, Shown { panel, is_chart, when: at, layers }) in panels.iter().enumerate() {
         let title = panel.title.as_ref().map_or(String::new(), |t| format!(" ({})", plain(&t.value)));
         let which = if many {
             speech.say(&PANEL, &[&(i + 1).to_string(), &title])
@@ -91,7 +94,7 @@ pub(crate) fn shown(scene: &Scene, panels: &[Shown]) -> String {
             continue;
         }
         let space = if *is_chart { speech.0.word(&CHART).to_owned() } else { space(scene, panel, speech) };
-        let when = when(panel, speech);
+        let when = when(*at, speech);
         text += &speech.say(&SHOWS, &[&which, &space, &when, &layers.join(", ")]);
         text += if panel.inset.is_some() { speech.0.word(&ENLARGED) } else { ". " };
     }
@@ -112,10 +115,25 @@ fn space(scene: &Scene, panel: &Panel, speech: Speech) -> String {
     }
 }
 
-/// A panel's moment, as " at the start"; empty where the scene names none.
-fn when(panel: &Panel, speech: Speech) -> String {
-    let Some(when) = &panel.when else { return String::new() };
-    let phrase = match when.value {
+/// The moment that a panel shows that was asked for one, of a step the number of that; what it shows instead,
+/// where this answer has none by that name.
+pub(crate) fn shown_at(asked: When, step: Option<usize>, answer: &Answer) -> When {
+    match (asked, answer) {
+        (When::Step(_), _) => step.map_or(asked, When::Step),
+        (When::Hit | When::Closest, Answer::Impact(impact)) => match impact.outcome {
+            Outcome::Hit { .. } => When::Hit,
+            Outcome::Miss => When::Closest,
+            Outcome::Overlapping { .. } => When::Start,
+            Outcome::Unresolved { free_until, .. } => When::Time(free_until),
+        },
+        _ => asked,
+    }
+}
+
+/// A panel's moment, as " at the start"; empty where it has none.
+fn when(at: Option<When>, speech: Speech) -> String {
+    let Some(at) = at else { return String::new() };
+    let phrase = match at {
         When::Time(t) => return speech.say(&AT_TIME, &[&speech.value(t)]),
         When::Step(k) => return speech.say(&IN_STEP, &[&k.to_string()]),
         When::Start => &AT_START,

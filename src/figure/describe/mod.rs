@@ -13,7 +13,7 @@ mod phrases;
 mod result;
 mod short;
 
-pub(crate) use long::{Shown, long, shown};
+pub(crate) use long::{Shown, long, shown, shown_at};
 pub(crate) use phrases::QUESTION;
 pub(crate) use result::{Account, closing};
 pub(crate) use short::short;

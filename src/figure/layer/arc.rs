@@ -16,6 +16,7 @@ use crate::geometry::{DVec2, Side, perp};
 use crate::trace::step::turned;
 use crate::trace::{Event, phrase};
 
+use super::fed::NOTES;
 use super::half_extents::ON_LINE;
 use super::turn::{BELOW, FAN, ON_THE_WAY, SECTOR, Turn, rungs};
 use super::unrolled::unrolled;
@@ -100,7 +101,7 @@ pub(super) const LAYER: Layer = Layer {
         let Some(t) = turn(context, options) else {
             return Fed::by_the_frame(false, context, "the panel's frame moves");
         };
-        if options.counts("nearer").is_some() && nearer(context, options, &t).is_none() {
+        if NOTES && options.counts("nearer").is_some() && nearer(context, options, &t).is_none() {
             return Fed::Without { option: "nearer", why: "that vertex is as far as p, or the origin" };
         }
         Fed::Yes
@@ -140,7 +141,7 @@ fn turn(context: &Context, options: &Options) -> Option<Turn> {
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(t) = turn(context, options) else { return };
     let sector = options.flag("sector", false);
-    let cue = context.cue(|event| matches!(event, Event::MotionBounded { .. }));
+    let cue = context.cue(|event| matches!(event, Event::MotionBounded { body, .. } if *body == t.side));
     let at = |part| cue.map(|cue| cue.part(part));
     if options.flag("unrolled", false) {
         let arm = nearer(context, options, &t).map(DVec2::length);

@@ -12,6 +12,7 @@ use crate::figure::text::number;
 use crate::geometry::{DVec2, Side, perp};
 use crate::trace::{Event, phrase};
 
+use super::fed::NOTES;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 /// How far a plane reaches past the reference edge and past the incident edge, page pixels.
@@ -64,7 +65,7 @@ pub(super) const LAYER: Layer = Layer {
 /// Whether the answer has points of contact, and what the scene wants of them: a circle touches at one point,
 /// and no edge is clipped.
 fn fed(context: &Context, options: &Options) -> Fed {
-    let asked = |part: &&&'static str| options.shows("show", part, false);
+    let asked = |part: &&&'static str| NOTES && options.shows("show", part, false);
     match shown(context) {
         Some(found) if asked(&&"cut") && found.cuts.is_empty() => {
             Fed::Without { option: "cut", why: "no plane cuts anything off" }

@@ -14,6 +14,7 @@ use crate::geometry::{DVec2, Side};
 use crate::trace::{Event, phrase};
 
 use super::difference::difference;
+use super::fed::NOTES;
 use super::polytope::PUSHED;
 use super::{Fed, LabelKey, Layer, ONE_OF_SEVERAL, OptionSpec, Options, Shows, Takes, Tells};
 
@@ -71,6 +72,9 @@ pub(super) const LAYER: Layer = Layer {
 fn beside(context: &Context, options: &Options, Nearest { foot, overlap, .. }: &Nearest) -> Fed {
     let wants = |option: &&'static str| options.flag(option, false);
     let without = |option, why| Fed::Without { option, why };
+    if !NOTES {
+        return Fed::Yes;
+    }
     if let Some(option) = ["rival", "pushed"].into_iter().find(wants).filter(|_| !overlap) {
         return without(option, "the bodies do not overlap");
     }

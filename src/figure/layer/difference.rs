@@ -16,6 +16,7 @@ use crate::scene::When;
 use super::difference_name::{called, name};
 use super::edge_cues::EdgeCues;
 use super::facing::{faces_away, velocity_along};
+use super::fed::NOTES;
 use super::half_extents::ON_LINE;
 use super::held;
 use super::step_numbers::step_numbers;
@@ -109,7 +110,8 @@ pub(super) const LAYER: Layer = Layer {
         _ => {
             let time = when(context, options).unwrap_or(context.difference_time());
             let fed = Fed::by_the_scene(difference(context, time).is_some());
-            let is_without = fed == Fed::Yes && is_culled(options) && velocity_along(context).is_none();
+            let is_without =
+                NOTES && fed == Fed::Yes && is_culled(options) && velocity_along(context).is_none();
             if is_without { Fed::Without { option: "culled", why: "there is no ray" } } else { fed }
         }
     },

@@ -30,11 +30,14 @@ pub(crate) enum Fed {
     Never,
 }
 
+/// Whether someone is told of options that have nothing to draw: a page has no place for that.
+pub(super) const NOTES: bool = !cfg!(tracefig_page);
+
 impl Fed {
     /// What is drawn at one moment only: a `path` that is asked for has no way to draw.
     pub(super) fn at_one_moment(self, options: &Options) -> Self {
         match self {
-            Self::Yes if options.flag("path", false) => {
+            Self::Yes if NOTES && options.flag("path", false) => {
                 Self::Without { option: "path", why: "no motion leads there" }
             }
             other => other,

@@ -278,8 +278,8 @@ fn at_moment(context: &Context, side: Side, time: &str) -> Vec<String> {
 }
 
 /// How far a body has turned by a moment since the start, whatever moment its panel shows, clockwise with a
-/// minus, where that is so many degrees or more: five whole turns look like none. To a tenth of a degree, which is about what is seen:
-/// −360.4° in three digits would be none.
+/// minus, where that is so many degrees or more: five whole turns look like none. To a tenth of a degree,
+/// which is about what is seen: −360.4° in three digits would be none.
 fn turned(context: &Context, side: Side, time: f64, least: f64) -> Option<String> {
     let (_, spin) = seen(context, side)?;
     let degrees = spin * time;

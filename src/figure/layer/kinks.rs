@@ -8,6 +8,7 @@ use crate::figure::sketch::{Anchor, Label, Marker, Rank, SMALL_MARKER, Size, Ske
 use crate::geometry::{DVec2, Feature, Side, sort_by};
 
 use super::chart::Chart;
+use super::fed::NOTES;
 use super::{Fed, Options};
 
 /// How often the time between two samples is halved: to far below a pixel of any chart.
@@ -59,7 +60,7 @@ pub(super) fn mark(
 
 /// Fed, but for kinks that a scene asks for and a curve of separations has not, sampled at `points`.
 pub(super) fn fed(context: &Context, options: &Options, points: impl FnOnce() -> Vec<DVec2>) -> Fed {
-    if options.flag("kink", false) && turns(context, &points()).is_empty() {
+    if NOTES && options.flag("kink", false) && turns(context, &points()).is_empty() {
         return Fed::Without { option: "kink", why: "the curve has none" };
     }
     Fed::Yes

@@ -10,6 +10,7 @@ use crate::geometry::{DVec2, Side};
 use crate::scene::When;
 use crate::trace::phrase;
 
+use super::fed::NOTES;
 use super::moment;
 use super::separation::{Carrying, NO_EDGE, drawn, edges};
 use super::{Fed, LabelKey, Layer, ONE_OF_SEVERAL, OptionSpec, Options, Shows, Takes, Tells};
@@ -66,7 +67,7 @@ pub(super) const LAYER: Layer = Layer {
 
 /// Whether the edge that the arrow is to start on faces.
 fn on_edge(context: &Context, options: &Options, time: f64, answer: &Separation) -> Fed {
-    let asked = options.word("from", "") == "edge";
+    let asked = NOTES && options.word("from", "") == "edge";
     let none = asked && edges(context, time, answer).is_empty();
     if none { Fed::Without { option: "from", why: NO_EDGE } } else { Fed::Yes }
 }

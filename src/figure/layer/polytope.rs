@@ -18,6 +18,7 @@ use crate::trace::{Event, phrase};
 
 use super::coordinates::coordinates;
 use super::cores::{cores, radii, radii_in_words};
+use super::fed::NOTES;
 use super::simplex::{MOST_PASSING, has_simplexes};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of};
 
@@ -80,7 +81,7 @@ pub(super) const LAYER: Layer = Layer {
     fed: |context, options| {
         let [found, any] = [options, &Options::default()].map(|options| shown(context, options));
         let pushed = |(step, _): &(Step, _)| options.flag("pushed", false) && !is_pushed(context, step);
-        if found.as_ref().is_some_and(pushed) {
+        if NOTES && found.as_ref().is_some_and(pushed) {
             return Fed::Without { option: "pushed", why: "the nearest edge is not yet one of B ⊖ A" };
         }
         Fed::by_the_steps(found.is_some(), any.is_some(), has_simplexes(context))

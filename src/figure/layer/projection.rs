@@ -196,14 +196,7 @@ fn draw_axis(sketch: &mut Sketch, (context, options): (&Context, &Options), t: &
         let ends = [interval.lo, interval.hi].map(|along| at(along, track));
         shadow_of(sketch, body, ends, options.role(body.into()));
     }
-    // Where bodies are apart, an overlap on one axis is no way to move.
-    let is_asked = options.number("axis").is_some() && t.gap <= 0.0;
-    let role = match is_asked {
-        true => Role::Ink,
-        false if t.is_behind() => Role::Muted,
-        false => Role::Translation,
-    };
-    let pen = if joined { Pen::highlighted(role) } else { Pen::dimension(role).width(1.5) };
+    let pen = pen(options, t, joined);
     let distance = context.separation_at(context.time).and_then(|run| run.separation().map(|s| s.separation));
     let rounding = context.scene.query_at(context.time).rounding();
     measure(sketch, t, ((values, distance, rounding), pen, low), at);
@@ -211,6 +204,18 @@ fn draw_axis(sketch: &mut Sketch, (context, options): (&Context, &Options), t: &
         numbers(sketch, ([t.a.hi, t.b.lo], t.gap), (t.n, down, TRACK), at);
         zero(sketch, (first, last), down, at);
     }
+}
+
+/// How the measure is drawn.
+fn pen(options: &Options, t: &Tested, joined: bool) -> Pen {
+    // Where bodies are apart, an overlap on one axis is no way to move.
+    let is_asked = options.number("axis").is_some() && t.gap <= 0.0;
+    let role = match is_asked {
+        true => Role::Ink,
+        false if t.is_behind() => Role::Muted,
+        false => Role::Translation,
+    };
+    if joined { Pen::highlighted(role) } else { Pen::dimension(role).width(1.5) }
 }
 
 /// Draws the edge whose normal the axis is, thick, and n square to it outside of its middle, where it is

@@ -20,6 +20,7 @@ use crate::scene::When;
 use super::closest::{WayOut, longer, longer_way, unseen};
 use super::depth_disc::{disc, disc_place};
 use super::difference::difference;
+use super::fed::NOTES;
 use super::moment;
 use super::{Fed, LabelKey, Layer, ONE_OF_SEVERAL, OptionSpec, Options, STEPS, Shows, Takes, Tells};
 
@@ -135,7 +136,7 @@ fn found(context: &Context, options: &Options) -> Option<Arc<Run>> {
 /// Whether all that a scene wants beside the line can be drawn.
 fn beside(context: &Context, options: &Options, run: &Run) -> Fed {
     let wants = |option: &'static str| options.flag(option, false).then_some(option);
-    let Some(answer) = run.separation() else { return Fed::Yes };
+    let Some(answer) = run.separation().filter(|_| NOTES) else { return Fed::Yes };
     if let Some(option) = wants("carrier").filter(|_| edges(context, run.time, answer).is_empty()) {
         return Fed::Without { option, why: NO_EDGE };
     }
@@ -260,7 +261,7 @@ pub(super) fn edges(context: &Context, time: f64, answer: &Separation) -> Vec<Ca
 pub(super) fn drawn(sketch: &Sketch, context: &Context, time: f64, answer: &Separation) -> Vec<Carrying> {
     let mut all = edges(context, time, answer);
     let stands = |side| context.pose(side, time) == context.pose(side, context.time);
-    all.retain(|&(side, ..)| stands(side) || sketch.has_layer("ghosts"));
+    all.retain(|&(side, ..)| stands(side) || sketch.has_layer(super::ghosts::LAYER.name));
     all
 }
 

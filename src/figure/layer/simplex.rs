@@ -16,6 +16,7 @@ use crate::trace::{Event, phrase};
 
 use super::coordinates::coordinates;
 use super::cores::{cores, radii, radii_in_words};
+use super::fed::NOTES;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of};
 
 /// Opacity of a simplex's fill: it lies on the difference, which is filled too.
@@ -81,7 +82,7 @@ pub(super) const LAYER: Layer = Layer {
     needs: "the algorithm \"gjk\", and no more steps than it took",
     fed: |context, options| {
         let [found, any] = [options, &Options::default()].map(|options| shown(context, options));
-        match found.as_ref().and_then(|step| unwritten(step, options)) {
+        match found.as_ref().filter(|_| NOTES).and_then(|step| unwritten(step, options)) {
             Some((option, why)) => Fed::Without { option, why },
             None => Fed::by_the_steps(found.is_some(), any.is_some(), has_simplexes(context)),
         }

@@ -13,6 +13,7 @@ use crate::trace::{Event, SupportVertex, phrase};
 
 use super::cores::less_radii;
 use super::difference::{difference, draw_edge};
+use super::fed::NOTES;
 use super::half_extents::ON_LINE;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
 
@@ -80,7 +81,7 @@ fn fed(context: &Context, options: &Options) -> Fed {
     let aligned = || difference(context, context.time).and_then(|found| found.aligned()).is_some();
     match supports(context) {
         None => Fed::NotHere(NO_EDGE),
-        Some(_) if options.flag("lengths", false) && !aligned() => {
+        Some(_) if NOTES && options.flag("lengths", false) && !aligned() => {
             Fed::Without { option: "lengths", why: "no edges face each other" }
         }
         Some(_) => Fed::Yes,

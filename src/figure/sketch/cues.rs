@@ -63,8 +63,8 @@ impl Sketch<'_> {
     }
 
     /// What `draw` draws comes with one event and goes with another: only steps between them show it. The
-    /// finished figure has none of it, so labels do not keep off it but in a figure in steps, nothing of it has a label or a handle,
-    /// and a panel makes room for it only where it is drawn in steps. It is the last that its layer draws.
+    /// finished figure has none of it, so nothing of it has a label or a handle; labels keep off it, and a
+    /// panel makes room for it, only where it is drawn in steps. It is the last that its layer draws.
     pub(crate) fn passing(&mut self, [from, to]: [Cue; 2], draw: impl FnOnce(&mut Self)) {
         let kept = [self.obstacles.len(), self.requests.len(), self.unnamed.len(), self.holds.len()];
         let (extent, details) = (self.extent.take(), self.details.len());

@@ -55,8 +55,8 @@ fn bodies_have_the_names_of_the_scene_in_words_and_in_formulas() {
     let told = [
         (
             overlapping,
-            "Along (1, 0), against the normal of edge 3 of \"the wall\": bullet spans 0 to 2, \"the wall\" spans \
-             1.5 to 4, where \"the wall\" begins 0.5 before bullet ends.",
+            "Along (1, 0), against the normal of edge 3 of \"the wall\": bullet spans 0 to 2, \"the wall\" \
+             spans 1.5 to 4, where \"the wall\" begins 0.5 before bullet ends.",
         ),
         (
             Event::Started { algorithm: "any", at },

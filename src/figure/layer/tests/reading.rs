@@ -256,7 +256,8 @@ fn a_body_that_turned_more_than_once_says_how_far_and_which_way() {
             "shapes.blade = {{ kind = 'box', half_extents = [1, 0.1], angular_velocity_deg = {spin} }}
              shapes.wall = {{ kind = 'box', half_extents = [1, 1], position = [9, 0] }}
              query = {{ kind = 'time-of-impact', of = ['blade', 'wall'] }}
-             panels = [{{ time = {time}, layers = ['shapes', {{ layer = 'ghosts', of = 'blade', at = 'end' }}] }}]"
+             panels = [{{ time = {time},
+                layers = ['shapes', {{ layer = 'ghosts', of = 'blade', at = 'end' }}] }}]"
         );
         let scene = open_text("blade", &text).unwrap().scene;
         let plan = plan(&scene).unwrap();

@@ -50,14 +50,14 @@ phrases! {
          proche est *, avec D = * de là, et *|D| * r = *.",
         "En el sistema de *: V = *, limitado a * por las semiextensiones *. En el mundo el punto más cercano \
          es *, con D = * desde ahí, y *|D| * r = *.";
-    /// The same where that is inside the box: whose, V, the half-extents, the closest point of its outline, D,
-    /// what subtracts, twice, and the distance.
+    /// A circle's centre inside a box, in the frame of that: whose, V, the half-extents, the closest point of
+    /// the outline, D, what subtracts, twice, and the distance.
     CLAMPED_INSIDE: "In *'s frame V = *, within the half-extents *: the centre is inside. In the world the \
          closest point of the outline is *, with D = * from there, and *|D| * r = *.",
         "Im System von * ist V = *, innerhalb der halben Ausdehnungen *: Der Mittelpunkt liegt darin. In der \
          Welt ist der nächste Punkt des Umrisses *, mit D = * von dort, und *|D| * r = *.",
-        "Dans le repère de * : V = *, dans les demi-étendues * : le centre est à l’intérieur. Dans le monde, le \
-         point le plus proche du contour est *, avec D = * de là, et *|D| * r = *.",
+        "Dans le repère de * : V = *, dans les demi-étendues * : le centre est à l’intérieur. Dans le monde, \
+         le point le plus proche du contour est *, avec D = * de là, et *|D| * r = *.",
         "En el sistema de *: V = *, dentro de las semiextensiones *: el centro está dentro. En el mundo el \
          punto más cercano del contorno es *, con D = * desde ahí, y *|D| * r = *.";
     /// The farthest vertices of a body: direction, body, vertices, a tie.
@@ -120,7 +120,7 @@ phrases! {
         "Der Abstand ist *, bei *, durch * von *.",
         "La distance est *, en * (* de *).",
         "La distancia es *, en * (* de *).";
-    /// Of bodies with radii.
+    /// Its distance of bodies with radii.
     LESS_RADII: "Less the radii the distance is *, at *, by * of *.",
         "Ohne die Radien ist der Abstand *, bei *, durch * von *.",
         "Rayons déduits, la distance est *, en * (* de *).",
@@ -130,7 +130,7 @@ phrases! {
         "Die Tiefe ist *, bei *, durch * von *.",
         "La profondeur est *, en * (* de *).",
         "La profundidad es *, en * (* de *).";
-    /// Of bodies with radii.
+    /// Its depth of bodies with radii.
     WITH_RADII: "With the radii the depth is *, at *, by * of *.",
         "Mit den Radien ist die Tiefe *, bei *, durch * von *.",
         "Avec les rayons, la profondeur est *, en * (* de *).",
@@ -151,7 +151,7 @@ phrases! {
         "Entlang *, der Normalen von * von *: * reicht von *, * von *; *.",
         "Le long de *, normale (* de *) : * va de *, * va de * ; *.",
         "A lo largo de *, normal (* de *): * va de *, * va de *; *.";
-    /// The same where the axis is the second body's, and points into its edge.
+    /// Both bodies along an axis of the second one, which points into its edge.
     AXIS_INTO: "Along *, against the normal of * of *: * spans *, * spans *, *.",
         "Entlang *, entgegen der Normalen von * von *: * reicht von *, * von *; *.",
         "Le long de *, à l’opposé de la normale (* de *) : * va de *, * va de * ; *.",
