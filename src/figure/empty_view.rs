@@ -4,7 +4,7 @@
 use std::ops::Range;
 
 use crate::geometry::DVec2;
-use crate::scene::{Detail, Spanned};
+use crate::scene::{Detail, NOTES, Spanned};
 
 use super::fault::{Fault, Problem};
 use super::inset::is_beside;
@@ -14,8 +14,7 @@ use super::sketch::Sketched;
 /// A warning for each panel whose `view`, and for each whose `inset`, holds nothing of what its layers drew;
 /// grounds, as axes and grids, are there wherever one looks, and don't count.
 pub(super) fn empty_views(panels: &[PanelPlan], sketched: &[Sketched]) -> Vec<Problem> {
-    // A page is told of nothing that could be better.
-    if cfg!(tracefig_page) {
+    if !NOTES {
         return Vec::new();
     }
     let told = |(panel, sketched): (&PanelPlan, &Sketched)| {

@@ -1,7 +1,7 @@
 //! What `[labels]` means for a figure: which keys it has, those of the labels that its layers write and of
 //! its bodies' names; and what it calls the bodies.
 
-use crate::scene::{self, LayerSpec, Scene, Space};
+use crate::scene::{self, LayerSpec, NOTES, Scene, Space};
 
 use super::called::{Called, KEYS, Replaced};
 use super::context::Context;
@@ -75,8 +75,7 @@ pub(super) fn called(scene: &Scene) -> Called {
 
 /// A note for each name on the picture that another one stands for.
 pub(super) fn replaced(scene: &Scene, called: &Called) -> Vec<Problem> {
-    // A page is told of nothing that could be better.
-    if cfg!(tracefig_page) {
+    if !NOTES {
         return Vec::new();
     }
     let note = |replaced: Replaced| {

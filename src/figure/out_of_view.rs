@@ -1,7 +1,7 @@
 //! Bodies of the context that no panel reaches: who names a body and does not see it is told why.
 
 use crate::geometry::DVec2;
-use crate::scene::{Scene, Space};
+use crate::scene::{NOTES, Scene, Space};
 
 use super::fault::{Fault, Problem};
 use super::layer::shows_context;
@@ -11,8 +11,7 @@ use super::runs::Runs;
 /// A note for each body that the query is not about and that lies outside of every panel which would show
 /// it; none where the scene gives a panel its view, and none of a figure that shows no such body at all.
 pub(super) fn out_of_view(scene: &Scene, runs: &Runs, panels: &[PanelPlan]) -> Vec<Problem> {
-    // A page is told of nothing that could be better.
-    if cfg!(tracefig_page) {
+    if !NOTES {
         return Vec::new();
     }
     let would = |panel: &&PanelPlan| {

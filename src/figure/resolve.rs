@@ -8,7 +8,7 @@ use std::borrow::Cow;
 use crate::collision::{Answer, Outcome};
 use crate::drawing::Rect;
 use crate::geometry::{DVec2, Side};
-use crate::scene::{self, LayerSpec, Panel, Scene, Space, Spanned, Value, When};
+use crate::scene::{self, LayerSpec, NOTES, Panel, Scene, Space, Spanned, Value, When};
 use crate::typeset::{Style, line, paragraph};
 
 use super::context::{Context, Moment};
@@ -226,17 +226,14 @@ impl<'r, 's> Resolver<'r, 's> {
                 }
                 return Some(Resolved::Drawn(LayerPlan { layer, options, span: span.clone() }));
             }
-            // A page is told of nothing that could be better.
-            Fed::NotByThisAnswer | Fed::NotHere(_) if cfg!(tracefig_page) => {
+            Fed::NotByThisAnswer | Fed::NotHere(_) if !NOTES => {
                 return Some(Resolved::Unfed(layer));
             }
             Fed::NotByThisAnswer => standing(&context.run().answer),
             Fed::NotHere(why) => why,
             Fed::Never => {
-                // A page says what is wrong, and not what would help.
-                let is_told = !cfg!(tracefig_page);
                 let told = || needs(layer, spec).to_owned() + &there_are(context, &options);
-                let needs = if is_told { told() } else { String::new() };
+                let needs = if NOTES { told() } else { String::new() };
                 let fault = Fault::UnfedLayer { layer: layer.name, needs };
                 self.problems.push(Problem::new(fault, span.clone()));
                 return None;

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use crate::drawing::{Group, Item, Path, Step, Text};
 use crate::geometry::sort_by;
-use crate::scene::{Scene, StepWords};
+use crate::scene::{NOTES, Scene, StepWords};
 use crate::trace::{self, Event, Hand, Voice, step};
 
 use super::cue::Cue;
@@ -84,9 +84,8 @@ pub(super) fn numbered(
     }
     let count = steps.len();
     let (steps, counted, unused) = worded(steps, &scene.steps);
-    let note = unused
-        .filter(|_| !cfg!(tracefig_page))
-        .map(|words| Problem::new(Fault::NoStepLeft { count }, words.span.clone()));
+    let note =
+        unused.filter(|_| NOTES).map(|words| Problem::new(Fault::NoStepLeft { count }, words.span.clone()));
     for scope in scopes {
         let number = |number: usize| {
             let cue = scope.cue(number)?;

@@ -4,7 +4,7 @@ use serde_json::json;
 
 use crate::figure::{Account, Figure, Frame, Plan, handles_json};
 use crate::geometry::DVec2;
-use crate::scene::{Severity, Solution};
+use crate::scene::{NOTES, Severity, Solution};
 
 /// The result in words and in numbers, what this answer lacks, what can be dragged, and where
 /// the panels' spaces lie on the page.
@@ -13,7 +13,7 @@ pub(super) fn panel(plan: &Plan<'_>, draws: &Figure) -> String {
     let notes: Vec<String> = plan
         .warnings
         .iter()
-        .filter(|problem| !cfg!(tracefig_page) && problem.fault.severity() == Severity::Note)
+        .filter(|problem| NOTES && problem.fault.severity() == Severity::Note)
         .map(|problem| problem.fault.to_string())
         .collect();
     let frames = draws.panels.iter().map(|panel| {

@@ -19,6 +19,9 @@ use super::problem::Problem;
 use super::source::Source;
 use super::visible::{brief, visible};
 
+/// Whether anyone is told notes and warnings: a page shows the picture alone, and its module has none.
+pub(crate) const NOTES: bool = !cfg!(tracefig_page);
+
 /// How grave a problem is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Severity {

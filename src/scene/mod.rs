@@ -65,6 +65,7 @@ pub use holds::Holds;
 pub(crate) use house_panels::as_json;
 pub(crate) use labels::COMPASS;
 pub use live::{Drag, Grip, Live};
+pub(crate) use message::NOTES;
 pub use message::{Ink, Severity, message};
 pub use moment::When;
 pub use open::{Refused, SceneFile, open, open_reader, open_text};

@@ -59,6 +59,16 @@ fn the_last_picture_is_the_figure_and_stays() {
 }
 
 #[test]
+fn an_option_that_gets_a_number_below_0_says_what_it_takes() {
+    let folder = folder_with("s.toml", MEET);
+    for (option, takes) in [("--hold", "above 0 and up to 600"), ("--scale", "above 0 and up to 8")] {
+        let ran = render(folder.path(), &["--motion", option, "-1"]);
+        assert_eq!(ran.code, Some(2));
+        assert!(ran.err.contains(takes) && !ran.err.contains("-- -1"), "{}", ran.err);
+    }
+}
+
+#[test]
 fn what_does_not_play_is_drawn_still_with_a_note_and_beside_what_plays() {
     let folder = folder_with("s.toml", &format!("{CIRCLES}[canvas]\nwidth = 300\n"));
     fs::write(folder.path().join("m.toml"), MEET).unwrap();

@@ -71,6 +71,24 @@ fn pages_of_a_folder_share_the_runtime_and_are_listed_those_first_that_say_what_
 }
 
 #[test]
+fn an_entry_of_the_list_has_its_language_and_the_values_of_its_headline() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::create_dir(folder.path().join("in")).unwrap();
+    fs::write(folder.path().join("in/one.toml"), SCENE).unwrap();
+    let french = SCENE.replace("They are {a|apart}", "$d = {=separation}$").replace("Two <b>", "Deux <b>");
+    fs::write(folder.path().join("in/two.toml"), format!("lang = 'fr'\n{french}")).unwrap();
+    assert_eq!(
+        render(folder.path(), &["in", "--format", "html", "--live=shared", "-o", "site"]).code,
+        Some(0)
+    );
+    let index = read(folder.path(), "site/index.html");
+    assert!(
+        index.contains("<a lang=\"fr\" href=\"two.html\">") && index.contains("<span>They are apart</span>")
+    );
+    assert!(!index.contains("=separation") && index.contains("à une distance de 1,04"), "{index}");
+}
+
+#[test]
 fn a_page_in_a_theme_of_ones_own_carries_it() {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("own.toml"), "[colors]\na = '#0072B2'\nb = '#D55E00'\n").unwrap();

@@ -13,10 +13,10 @@ use crate::figure::sketch::{
 };
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side, perp};
+use crate::scene::NOTES;
 use crate::trace::step::turned;
 use crate::trace::{Event, phrase};
 
-use super::fed::NOTES;
 use super::half_extents::ON_LINE;
 use super::turn::{BELOW, FAN, ON_THE_WAY, SECTOR, Turn, rungs};
 use super::unrolled::unrolled;

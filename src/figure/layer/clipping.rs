@@ -10,9 +10,9 @@ use crate::figure::sketch::{
 };
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side, perp};
+use crate::scene::NOTES;
 use crate::trace::{Event, phrase};
 
-use super::fed::NOTES;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 /// How far a plane reaches past the reference edge and past the incident edge, page pixels.

@@ -11,10 +11,10 @@ use crate::figure::difference::{Difference, Edge};
 use crate::figure::sketch::{Anchor, Label, Pen, Rank, Size, Sketch, Weight, angle_of};
 use crate::figure::text::{asked_distance, distance_or_depth, number};
 use crate::geometry::{DVec2, Side};
+use crate::scene::NOTES;
 use crate::trace::{Event, phrase};
 
 use super::difference::difference;
-use super::fed::NOTES;
 use super::polytope::PUSHED;
 use super::{Fed, LabelKey, Layer, ONE_OF_SEVERAL, OptionSpec, Options, Shows, Takes, Tells};
 

@@ -11,12 +11,11 @@ use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
 use crate::trace::{Event, phrase};
 
-use crate::scene::When;
+use crate::scene::{NOTES, When};
 
 use super::difference_name::{called, name};
 use super::edge_cues::EdgeCues;
 use super::facing::{faces_away, velocity_along};
-use super::fed::NOTES;
 use super::half_extents::ON_LINE;
 use super::held;
 use super::step_numbers::step_numbers;

@@ -6,7 +6,7 @@
 
 use crate::collision::{Answer, Outcome};
 use crate::figure::context::Context;
-use crate::scene::When;
+use crate::scene::{NOTES, When};
 
 use super::Options;
 
@@ -29,9 +29,6 @@ pub(crate) enum Fed {
     /// No answer to the scene's question by its algorithm has it: the scene is wrong.
     Never,
 }
-
-/// Whether someone is told of options that have nothing to draw: a page has no place for that.
-pub(super) const NOTES: bool = !cfg!(tracefig_page);
 
 impl Fed {
     /// What is drawn at one moment only: a `path` that is asked for has no way to draw.

@@ -8,8 +8,8 @@ use crate::figure::sketch::{Anchor, Label, Marker, Rank, SMALL_MARKER, Size, Ske
 use crate::geometry::{DVec2, Feature, Side, sort_by};
 
 use super::chart::Chart;
-use super::fed::NOTES;
 use super::{Fed, Options};
+use crate::scene::NOTES;
 
 /// How often the time between two samples is halved: to far below a pixel of any chart.
 const HALVINGS: usize = 40;

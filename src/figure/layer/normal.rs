@@ -7,10 +7,9 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, Pen, Sketch};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
-use crate::scene::When;
+use crate::scene::{NOTES, When};
 use crate::trace::phrase;
 
-use super::fed::NOTES;
 use super::moment;
 use super::separation::{Carrying, NO_EDGE, drawn, edges};
 use super::{Fed, LabelKey, Layer, ONE_OF_SEVERAL, OptionSpec, Options, Shows, Takes, Tells};

@@ -14,11 +14,11 @@ use crate::figure::sketch::{
 };
 use crate::figure::text::{Quantity, number};
 use crate::geometry::{DVec2, perp};
+use crate::scene::NOTES;
 use crate::trace::{Event, phrase};
 
 use super::coordinates::coordinates;
 use super::cores::{cores, radii, radii_in_words};
-use super::fed::NOTES;
 use super::simplex::{MOST_PASSING, has_simplexes};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of};
 

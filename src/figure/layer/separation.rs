@@ -15,12 +15,11 @@ use crate::figure::text::{Quantity, asked_distance, distance_or_depth};
 use crate::geometry::{DVec2, Feature, Side, perp};
 use crate::trace::{Event, phrase};
 
-use crate::scene::When;
+use crate::scene::{NOTES, When};
 
 use super::closest::{WayOut, longer, longer_way, unseen};
 use super::depth_disc::{disc, disc_place};
 use super::difference::difference;
-use super::fed::NOTES;
 use super::moment;
 use super::{Fed, LabelKey, Layer, ONE_OF_SEVERAL, OptionSpec, Options, STEPS, Shows, Takes, Tells};
 

@@ -12,11 +12,11 @@ use crate::figure::sketch::{
 };
 use crate::figure::text::{number, whole_and_parts};
 use crate::geometry::{DVec2, perp};
+use crate::scene::NOTES;
 use crate::trace::{Event, phrase};
 
 use super::coordinates::coordinates;
 use super::cores::{cores, radii, radii_in_words};
-use super::fed::NOTES;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of};
 
 /// Opacity of a simplex's fill: it lies on the difference, which is filled too.

@@ -8,12 +8,11 @@ use crate::figure::sketch::{
 };
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Feature, Side};
-use crate::scene::Space;
+use crate::scene::{NOTES, Space};
 use crate::trace::{Event, SupportVertex, phrase};
 
 use super::cores::less_radii;
 use super::difference::{difference, draw_edge};
-use super::fed::NOTES;
 use super::half_extents::ON_LINE;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
 
