@@ -65,35 +65,72 @@ fn rounded(out: &mut String, value: f64, decimals: u32) {
     let unit = 10_i64.pow(decimals);
     #[expect(clippy::cast_precision_loss, reason = "a power of ten up to 10⁶ is exact")]
     let scaled = (value * unit as f64).round() as i64;
-    if scaled < 0 {
-        out.push('-');
-    }
     let magnitude = scaled.unsigned_abs();
     let (whole, mut fraction) = (magnitude / unit.unsigned_abs(), magnitude % unit.unsigned_abs());
-    if whole > 0 || fraction == 0 {
-        push_integer(out, whole);
-    }
+    let mut digits = Digits::new();
     if fraction > 0 {
-        out.push('.');
-        let mut place = unit.unsigned_abs() / 10;
-        while fraction > 0 {
-            out.push(digit(fraction / place));
-            fraction %= place;
-            place = (place / 10).max(1);
+        let mut place = decimals;
+        while fraction % 10 == 0 {
+            fraction /= 10;
+            place -= 1;
         }
+        for _ in 0..place {
+            digits.before(b'0' + (fraction % 10) as u8);
+            fraction /= 10;
+        }
+        digits.before(b'.');
     }
+    if whole > 0 || magnitude == 0 {
+        digits.integer(whole);
+    }
+    if scaled < 0 {
+        digits.before(b'-');
+    }
+    out.push_str(digits.text());
 }
 
 /// Writes a whole number in digits.
 pub(super) fn push_integer(out: &mut String, value: u64) {
-    if value >= 10 {
-        push_integer(out, value / 10);
-    }
-    out.push(digit(value % 10));
+    let mut digits = Digits::new();
+    digits.integer(value);
+    out.push_str(digits.text());
 }
 
-fn digit(value: u64) -> char {
-    char::from(b'0' + (value % 10) as u8)
+/// The characters of a number, from its last to its first: it is appended at once.
+struct Digits {
+    /// The characters, at the end.
+    bytes: [u8; 32],
+    /// Where they begin.
+    from: usize,
+}
+
+impl Digits {
+    /// None yet. The longest number has a sign, twenty digits and a point.
+    fn new() -> Self {
+        Self { bytes: [0; 32], from: 32 }
+    }
+
+    /// Puts a character of ASCII before the others.
+    fn before(&mut self, byte: u8) {
+        self.from -= 1;
+        self.bytes[self.from] = byte;
+    }
+
+    /// Puts a whole number before them.
+    fn integer(&mut self, mut value: u64) {
+        loop {
+            self.before(b'0' + (value % 10) as u8);
+            value /= 10;
+            if value == 0 {
+                break;
+            }
+        }
+    }
+
+    /// All of them.
+    fn text(&self) -> &str {
+        std::str::from_utf8(&self.bytes[self.from..]).unwrap_or_default()
+    }
 }
 
 #[cfg(test)]

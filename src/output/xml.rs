@@ -23,10 +23,7 @@ impl Xml {
     /// Opens an element on a new line, inside the one that is open.
     pub(super) fn start(&mut self, name: &'static str) {
         self.end_tag();
-        if !self.out.is_empty() {
-            self.out.push('\n');
-        }
-        self.out.push('<');
+        self.out.push_str(if self.out.is_empty() { "<" } else { "\n<" });
         self.out.push_str(name);
         self.open.push(name);
         self.in_tag = true;
@@ -100,7 +97,7 @@ impl Xml {
 
 /// Appends `text`, escaped for content: quotes stay, of which metadata has many.
 pub(super) fn escape(out: &mut String, text: &str) {
-    escape_but(out, text, |character| matches!(character, '"' | '\''));
+    escape_but(out, text, |byte| matches!(byte, b'"' | b'\''));
 }
 
 /// Appends `text`, escaped for an attribute in quotes.
@@ -108,25 +105,41 @@ fn escape_attribute(out: &mut String, text: &str) {
     escape_but(out, text, |_| false);
 }
 
-/// Appends `text`, escaped but for the characters that `stays` names.
-fn escape_but(out: &mut String, text: &str, stays: impl Fn(char) -> bool) {
-    for character in text.chars() {
-        match character {
-            _ if stays(character) => out.push(character),
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            '\'' => out.push_str("&#39;"),
-            '\u{0}'..='\u{8}'
-            | '\u{B}'
-            | '\u{C}'
-            | '\u{E}'..='\u{1F}'
-            | '\u{7F}'..='\u{9F}'
-            | '\u{FDD0}'..='\u{FDEF}' => out.push('\u{FFFD}'),
-            _ if u32::from(character) & 0xFFFE == 0xFFFE => out.push('\u{FFFD}'),
-            _ => out.push(character),
-        }
+/// Appends `text`, escaped but for the ASCII characters that `stays` names.
+///
+/// Nearly all of it stands as it is: a stretch of that is appended at once.
+fn escape_but(out: &mut String, mut text: &str, stays: impl Fn(u8) -> bool) {
+    let is_plain = |byte| match byte {
+        b'"' | b'\'' => stays(byte),
+        b'&' | b'<' | b'>' => false,
+        _ => matches!(byte, b'\t' | b'\n' | b'\r' | b' '..=b'~'),
+    };
+    while let Some(at) = text.bytes().position(|byte| !is_plain(byte)) {
+        let (plain, rest) = text.split_at(at);
+        out.push_str(plain);
+        let mut rest = rest.chars();
+        rest.next().into_iter().for_each(|character| push_reference(out, character));
+        text = rest.as_str();
+    }
+    out.push_str(text);
+}
+
+/// Appends a character that may not stand as it is.
+fn push_reference(out: &mut String, character: char) {
+    match character {
+        '&' => out.push_str("&amp;"),
+        '<' => out.push_str("&lt;"),
+        '>' => out.push_str("&gt;"),
+        '"' => out.push_str("&quot;"),
+        '\'' => out.push_str("&#39;"),
+        '\u{0}'..='\u{8}'
+        | '\u{B}'
+        | '\u{C}'
+        | '\u{E}'..='\u{1F}'
+        | '\u{7F}'..='\u{9F}'
+        | '\u{FDD0}'..='\u{FDEF}' => out.push('\u{FFFD}'),
+        _ if u32::from(character) & 0xFFFE == 0xFFFE => out.push('\u{FFFD}'),
+        _ => out.push(character),
     }
 }
 

@@ -147,11 +147,11 @@ fn variable(sheet: &mut String, role: Role, color: Color) {
 /// Appends a colour as `#rrggbb`.
 pub(super) fn hex(out: &mut String, color: Color) {
     const DIGITS: &[u8; 16] = b"0123456789abcdef";
-    out.push('#');
-    for channel in [color.r, color.g, color.b] {
-        out.push(char::from(DIGITS[usize::from(channel >> 4)]));
-        out.push(char::from(DIGITS[usize::from(channel & 15)]));
+    let mut bytes = *b"#rrggbb";
+    for (place, channel) in bytes[1..].chunks_exact_mut(2).zip([color.r, color.g, color.b]) {
+        place.copy_from_slice(&[DIGITS[usize::from(channel >> 4)], DIGITS[usize::from(channel & 15)]]);
     }
+    out.push_str(std::str::from_utf8(&bytes).unwrap_or_default());
 }
 
 #[cfg(test)]
