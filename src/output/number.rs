@@ -68,16 +68,14 @@ fn rounded(out: &mut String, value: f64, decimals: u32) {
     let magnitude = scaled.unsigned_abs();
     let (whole, mut fraction) = (magnitude / unit.unsigned_abs(), magnitude % unit.unsigned_abs());
     let mut digits = Digits::new();
-    if fraction > 0 {
-        let mut place = decimals;
-        while fraction % 10 == 0 {
-            fraction /= 10;
-            place -= 1;
-        }
-        for _ in 0..place {
+    for _ in 0..decimals {
+        // No zeros at the end.
+        if fraction % 10 > 0 || !digits.is_empty() {
             digits.before(b'0' + (fraction % 10) as u8);
-            fraction /= 10;
         }
+        fraction /= 10;
+    }
+    if !digits.is_empty() {
         digits.before(b'.');
     }
     if whole > 0 || magnitude == 0 {
@@ -125,6 +123,11 @@ impl Digits {
                 break;
             }
         }
+    }
+
+    /// Whether there is none.
+    fn is_empty(&self) -> bool {
+        self.from == self.bytes.len()
     }
 
     /// All of them.

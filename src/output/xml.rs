@@ -97,28 +97,29 @@ impl Xml {
 
 /// Appends `text`, escaped for content: quotes stay, of which metadata has many.
 pub(super) fn escape(out: &mut String, text: &str) {
-    escape_but(out, text, |byte| matches!(byte, b'"' | b'\''));
+    escape_in(out, text, true);
 }
 
 /// Appends `text`, escaped for an attribute in quotes.
 fn escape_attribute(out: &mut String, text: &str) {
-    escape_but(out, text, |_| false);
+    escape_in(out, text, false);
 }
 
-/// Appends `text`, escaped but for the ASCII characters that `stays` names.
+/// Appends `text`, escaped, where quotes stay or don't.
 ///
 /// Nearly all of it stands as it is: a stretch of that is appended at once.
-fn escape_but(out: &mut String, mut text: &str, stays: impl Fn(u8) -> bool) {
+fn escape_in(out: &mut String, mut text: &str, quotes_stay: bool) {
     let is_plain = |byte| match byte {
-        b'"' | b'\'' => stays(byte),
+        b'"' | b'\'' => quotes_stay,
         b'&' | b'<' | b'>' => false,
         _ => matches!(byte, b'\t' | b'\n' | b'\r' | b' '..=b'~'),
     };
     while let Some(at) = text.bytes().position(|byte| !is_plain(byte)) {
-        let (plain, rest) = text.split_at(at);
-        out.push_str(plain);
-        let mut rest = rest.chars();
-        rest.next().into_iter().for_each(|character| push_reference(out, character));
+        out.push_str(&text[..at]);
+        let mut rest = text[at..].chars();
+        if let Some(character) = rest.next() {
+            push_reference(out, character);
+        }
         text = rest.as_str();
     }
     out.push_str(text);
