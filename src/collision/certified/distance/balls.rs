@@ -119,15 +119,24 @@ impl<'p, 's> BallPair<'p, 's> {
 
     /// An edge of B ⊖ A measured: its supporting vertex settled, its gap enclosed.
     pub(crate) fn measure(&self, mut facing: DifferenceEdge) -> MeasuredEdge {
-        let other = facing.source.other();
         let normal = self.normal(facing.source, facing.edge);
-        // The direction along which the other body's nearest vertex is lowest.
-        let down = match other {
-            Side::B => normal,
-            Side::A => reversed(&normal),
-        };
+        let partner = self.support(&mut facing, &normal);
+        let mut doubt = 0.0;
+        if partner.is_some() {
+            let (other, down) = (facing.source.other(), seen_by_other(facing.source, &normal));
+            doubt = self.drop_below(other, facing.vertex, &down);
+        }
+        let [i, j] = facing.start();
+        let gap = dot(&normal, &self.between(i, j)).widen(doubt);
+        MeasuredEdge { facing, partner, normal, gap }
+    }
+
+    /// Settles which vertex of the other body supports an edge of B ⊖ A along a normal of it, from A to B, of
+    /// any length: the edge of that body which is parallel to it and faces it, if one is (or may be, as far
+    /// as 106 bits tell).
+    pub(crate) fn support(&self, facing: &mut DifferenceEdge, normal: &Vec2) -> Option<usize> {
+        let (other, down) = (facing.source.other(), seen_by_other(facing.source, normal));
         let hull = self.pair.hull(other);
-        let mut partner = None;
         // Each step goes strictly down: at most once round.
         for _ in 0..hull.edges.len() {
             let (here, back) = (facing.vertex, hull.previous(facing.vertex));
@@ -142,13 +151,9 @@ impl<'p, 's> BallPair<'p, 's> {
                 continue;
             }
             let is_level = |along: Ball| along.sign().is_none_or(|sign| sign == 0);
-            partner = if is_level(ahead) { Some(here) } else { is_level(behind).then_some(back) };
-            break;
+            return if is_level(ahead) { Some(here) } else { is_level(behind).then_some(back) };
         }
-        let doubt = if partner.is_some() { self.drop_below(other, facing.vertex, &down) } else { 0.0 };
-        let [i, j] = facing.start();
-        let gap = dot(&normal, &self.between(i, j)).widen(doubt);
-        MeasuredEdge { facing, partner, normal, gap }
+        None
     }
 
     /// How far below the vertex `k` along `down` the lowest vertex may be: 0 where `k` is certainly lowest.
@@ -174,6 +179,15 @@ impl<'p, 's> BallPair<'p, 's> {
             behind += step.magnitude();
         }
         f64::max(ahead, behind) * (1.0 + hull_rounding(hull.edges.len()))
+    }
+}
+
+/// The direction along which the nearest vertex of the body beside an edge of `source` is lowest, of a normal
+/// of that edge from A to B.
+pub(crate) fn seen_by_other(source: Side, normal: &Vec2) -> Vec2 {
+    match source {
+        Side::A => *normal,
+        Side::B => reversed(normal),
     }
 }
 

@@ -19,7 +19,7 @@
 
 use crate::collision::certified::distance::Pair;
 use crate::collision::certified::distance::balls::{
-    BallPair, MeasuredEdge, Vec2, cross, dot, minus, reversed,
+    BallPair, Vec2, cross, dot, minus, reversed, seen_by_other,
 };
 use crate::collision::certified::distance::gaps::pass;
 use crate::collision::certified::sweep::ray::Entry;
@@ -45,6 +45,17 @@ struct Ray<'p, 's> {
     balls: BallPair<'p, 's>,
     /// The closing velocity `v_A` − `v_B`, along which the ray runs; not 0.
     v: Vec2,
+}
+
+/// An edge of B ⊖ A and its line.
+struct Line {
+    /// The edge; its vertex is that which supports it along `normal`.
+    facing: DifferenceEdge,
+    /// The other body's edge that is parallel to it and faces it, if one is, or may be.
+    partner: Option<usize>,
+    /// From A to B, as long as the edge, which keeps it exact where the vertices are: of edges that a unit
+    /// normal does not tell from parallel ones, the far end of one may be off the line of the other.
+    normal: Vec2,
 }
 
 /// A time as a quotient of two balls, kept apart so that it can be told whether it is a double exactly.
@@ -95,7 +106,7 @@ impl Ray<'_, '_> {
             return self.entry_by_disc(self.first_vertex());
         };
         match self.entry_by_line(facing) {
-            Entry::Unsure => self.entry_all_but_along().unwrap_or(Entry::Unsure),
+            Entry::Unsure => self.entry_by_any_line().unwrap_or(Entry::Unsure),
             entry => entry,
         }
     }
@@ -103,13 +114,13 @@ impl Ray<'_, '_> {
     /// Where the ray's line enters B ⊖ A, which is through an edge, the one whose line it meets last, or
     /// beyond an end of it.
     fn entry_by_line(&self, facing: DifferenceEdge) -> Entry {
-        let measured = self.balls.measure(facing);
-        let when = self.meets_line(&measured);
+        let line = self.line(facing);
+        let when = self.meets_line(&line);
         if !when.denominator.is_positive() {
             return Entry::Unsure;
         }
-        match self.meeting_point(&measured, when.value()) {
-            MeetingPoint::Within => entry_within(&measured, when),
+        match self.meeting_point(&line, when.value()) {
+            MeetingPoint::Within => entry_within(&line, when),
             MeetingPoint::Beyond(vertex) => self.entry_by_disc(vertex),
             MeetingPoint::Undecided(vertex) => match self.entry_by_disc(vertex) {
                 Entry::At { feature, time, contact } => {
@@ -122,17 +133,21 @@ impl Ray<'_, '_> {
         }
     }
 
-    /// Where the ray enters through the edge that it runs all but along.
+    /// Where the ray enters through whichever edge it meets.
     ///
-    /// Of its line doubles may not tell that the ray meets it, or when, so that it was not the last one. A
-    /// ray that comes from outside of an edge's line and meets it on the edge enters there, whichever line
-    /// is last.
-    fn entry_all_but_along(&self) -> Option<Entry> {
-        let measured = self.balls.measure(nearest_line(self.pair, self.direction())?);
-        let when = self.meets_line(&measured);
-        let is_within = when.denominator.is_positive()
-            && matches!(self.meeting_point(&measured, when.value()), MeetingPoint::Within);
-        is_within.then(|| entry_within(&measured, when))
+    /// Which line is last doubles may not tell: of an edge that the ray runs all but along, or beside one
+    /// much longer than all that is near. A ray that comes from outside of an edge's line and meets it on the
+    /// edge enters there, whichever line is last.
+    fn entry_by_any_line(&self) -> Option<Entry> {
+        let mut edges = Vec::new();
+        each_line(self.pair, self.direction(), |facing, _, _| edges.push(facing));
+        edges.into_iter().find_map(|facing| {
+            let line = self.line(facing);
+            let when = self.meets_line(&line);
+            let is_within = when.denominator.is_positive()
+                && matches!(self.meeting_point(&line, when.value()), MeetingPoint::Within);
+            is_within.then(|| entry_within(&line, when))
+        })
     }
 
     /// The vertex of B ⊖ A that is first along the ray, in doubles: where no edge faces it, B ⊖ A is a point
@@ -143,34 +158,40 @@ impl Ray<'_, '_> {
         [pair.hull(Side::A).highest(v, usize::MAX), pair.hull(Side::B).highest(-seen, usize::MAX)]
     }
 
-    /// When the ray meets the line of an edge, moved out by ρ.
-    ///
-    /// Both parts of the quotient are times the edge's length, which keeps them exact where the vertices are.
-    fn meets_line(&self, measured: &MeasuredEdge) -> TimeQuotient {
-        let DifferenceEdge { source, edge, vertex } = measured.facing;
-        let e = self.balls.edge(source, edge);
-        let [i, j] = measured.facing.start();
-        let n = match source {
+    /// An edge of B ⊖ A with its line, from a vertex of the other body that doubles take for its support.
+    fn line(&self, mut facing: DifferenceEdge) -> Line {
+        let e = self.balls.edge(facing.source, facing.edge);
+        let normal = match facing.source {
             Side::A => [e[1], -e[0]],
             Side::B => [-e[1], e[0]],
         };
-        let mut gap = dot(&n, &self.balls.between(i, j));
+        let partner = self.balls.support(&mut facing, &normal);
+        Line { facing, partner, normal }
+    }
+
+    /// When the ray meets the line of an edge, moved out by ρ.
+    ///
+    /// Both parts of the quotient are times the edge's length.
+    fn meets_line(&self, line: &Line) -> TimeQuotient {
+        let DifferenceEdge { source, vertex, .. } = line.facing;
+        let [i, j] = line.facing.start();
+        let n = &line.normal;
+        let mut gap = dot(n, &self.balls.between(i, j));
         if self.pair.radius.hi > 0.0 {
-            gap = gap - Ball::exact(self.pair.radius) * dot(&e, &e).sqrt();
+            gap = gap - Ball::exact(self.pair.radius) * dot(n, n).sqrt();
         }
-        if measured.partner.is_some() {
-            let down = if source == Side::A { n } else { reversed(&n) };
-            gap = gap.widen(self.balls.drop_below(source.other(), vertex, &down));
+        if line.partner.is_some() {
+            gap = gap.widen(self.balls.drop_below(source.other(), vertex, &seen_by_other(source, n)));
         }
-        TimeQuotient { numerator: gap, denominator: dot(&n, &self.v) }
+        TimeQuotient { numerator: gap, denominator: dot(n, &self.v) }
     }
 
     /// Where along an edge of B ⊖ A the ray is at time `t`: of a parallel edge of the other body, all counts
     /// that is over the edge.
-    fn meeting_point(&self, measured: &MeasuredEdge, t: Ball) -> MeetingPoint {
-        let DifferenceEdge { source, edge, vertex } = measured.facing;
+    fn meeting_point(&self, line: &Line, t: Ball) -> MeetingPoint {
+        let DifferenceEdge { source, edge, vertex } = line.facing;
         let (own, other) = (self.pair.hull(source), self.pair.hull(source.other()));
-        let ends = measured.partner.map_or([vertex; 2], |parallel| [parallel, other.next(parallel)]);
+        let ends = line.partner.map_or([vertex; 2], |parallel| [parallel, other.next(parallel)]);
         let e = self.balls.edge(source, edge);
         let run = scaled(&self.v, t);
         let along = |k: usize| match source {
@@ -179,7 +200,7 @@ impl Ray<'_, '_> {
         };
         // Which end is lower is asked of the parallel edge: beside a long run it is lost in rounding.
         let falls = |k: usize| dot(&self.balls.edge(source.other(), k), &e).value.hi < 0.0;
-        let [first, last] = if measured.partner.is_some_and(falls) { [ends[1], ends[0]] } else { ends };
+        let [first, last] = if line.partner.is_some_and(falls) { [ends[1], ends[0]] } else { ends };
         let (low, high) = (along(first), along(last));
         let (start, end) = (a_then_b(source, edge, last), a_then_b(source, own.next(edge), first));
         match (high.sign(), (low - dot(&e, &e)).sign()) {
@@ -260,8 +281,8 @@ impl Ray<'_, '_> {
 }
 
 /// An entry through an edge, on it.
-fn entry_within(measured: &MeasuredEdge, when: TimeQuotient) -> Entry {
-    Entry::At { feature: DifferenceFeature::Edge(measured.facing), time: when.doubles(), contact: None }
+fn entry_within(line: &Line, when: TimeQuotient) -> Entry {
+    Entry::At { feature: DifferenceFeature::Edge(line.facing), time: when.doubles(), contact: None }
 }
 
 /// The edge of B ⊖ A facing a ray along v whose line, moved out by ρ, the ray meets last; in doubles.
@@ -275,19 +296,6 @@ pub(crate) fn last_line(pair: &Pair, v: DVec2) -> Option<DifferenceEdge> {
         }
     });
     last.map(|(facing, _)| facing)
-}
-
-/// The edge of B ⊖ A whose line, moved out by ρ, a ray along v is nearest to where it is farthest from it
-/// over t in [0, 1]; in doubles.
-fn nearest_line(pair: &Pair, v: DVec2) -> Option<DifferenceEdge> {
-    let mut nearest: Option<(DifferenceEdge, f64)> = None;
-    each_line(pair, v, |facing, gap, closing| {
-        let off = gap.abs().max((gap - closing).abs());
-        if nearest.is_none_or(|(_, least)| off < least) {
-            nearest = Some((facing, off));
-        }
-    });
-    nearest.map(|(facing, _)| facing)
 }
 
 /// Visits every edge of B ⊖ A with how far its line, moved out by ρ, is from the origin, and how fast a ray

@@ -219,6 +219,21 @@ mod tests {
     }
 
     #[test]
+    fn an_edge_that_ends_off_the_line_of_a_long_one_by_1e_45_of_its_length_is_not_parallel_to_it() {
+        // A unit normal said that it may be, and the ray met the long edge beyond its end.
+        let long = polygon(&[[4.511_023_394_003_684e45, 4.5625], [0.0, 0.0]], 0.0);
+        let a = moving(placed(long, 0.0, 1.11e-42, 0.0), [-6.9375, -6.9375], 0.0);
+        let b = placed(boxed("aabb", 6.9375, 6.9375), -6.9375, -6.9375, 0.0);
+        let b = moving(b, [1e16, -1e-2], 0.0);
+        // The lower end comes down on the box.
+        let exact = 1.11e-42 / (6.9375 - 1e-2);
+        for sweep in [Sweep::new(&a, &b), Sweep::new(&b, &a)] {
+            let Outcome::Hit { time, .. } = sweep.first_contact() else { panic!("they meet") };
+            assert!((time.lo - exact).abs() + (time.hi - exact).abs() < 1e-57, "{time:?}");
+        }
+    }
+
+    #[test]
     fn of_two_segments_along_the_motion_the_ends_that_face_each_other_meet_first() {
         let segment = |from: f64, to: f64, x: f64| placed(polygon(&[[from, from], [to, to]], 0.0), x, x, 0.0);
         let (needle, thread) = (segment(-3.0, -2.0, 0.0), segment(-2.0, -1.0, 4.0));
