@@ -15,6 +15,7 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import { ofLists } from './lists.mjs';
 import { alike } from './order.mjs';
+import { bodies, names, segments } from './sections.mjs';
 
 /** Functions that only end in a trap, by parts of their mangled names. */
 const PANICS = [
@@ -120,39 +121,6 @@ const TABLES = [
 /** What a source file is called. */
 const SOURCES = /(?:\/|crates\/)[\w./+-]+\.rs(?=\0)/g;
 
-/** The number at a place, of seven bits a byte, and the place after it. */
-function number(bytes, at) {
-    let [value, shift] = [0, 0];
-    for (;;) {
-        const byte = bytes[at++];
-        value += (byte & 127) * 2 ** shift;
-        shift += 7;
-        if (byte < 128) return [value, at];
-    }
-}
-
-/** The pieces of memory that a module begins with: where each lies in it, and where in its bytes. */
-function segments(bytes) {
-    const found = [];
-    for (let at = 8; at < bytes.length; ) {
-        const kind = bytes[at];
-        let [length, from] = number(bytes, at + 1);
-        at = from + length;
-        if (kind !== 11) continue;
-        let count;
-        [count, from] = number(bytes, from);
-        for (; count > 0; count -= 1) {
-            // 0, i32.const ADDRESS, end, LENGTH, bytes.
-            if (bytes[from] !== 0 || bytes[from + 1] !== 0x41) throw new Error('data that lies nowhere');
-            const [address, end] = number(bytes, from + 2);
-            [length, from] = number(bytes, end + 1);
-            found.push({ address, from, length });
-            from += length;
-        }
-    }
-    return found;
-}
-
 /**
  * Zeros in the place of the names of sources, and of the places in them: the address of a name, its length,
  * a line, a column.
@@ -241,26 +209,6 @@ function without_lists(bytes) {
     return bytes;
 }
 
-/** The functions of a module, as their bytes. */
-function bodies(bytes) {
-    for (let at = 8; at < bytes.length; ) {
-        const kind = bytes[at];
-        let [length, from] = number(bytes, at + 1);
-        at = from + length;
-        if (kind !== 10) continue;
-        const found = [];
-        let count;
-        [count, from] = number(bytes, from);
-        for (; count > 0; count -= 1) {
-            [length, from] = number(bytes, from);
-            found.push(bytes.subarray(from, from + length));
-            from += length;
-        }
-        return found;
-    }
-    throw new Error('no functions');
-}
-
 /** A number of seven bits a byte, and a text behind its length. */
 const small = (value) => (value < 128 ? [value] : [(value & 127) | 128, ...small(Math.floor(value / 128))]);
 const told = (bytes) => [...small(bytes.length), ...bytes];
@@ -275,9 +223,16 @@ function named(bytes) {
 }
 
 const [folder, from, to] = process.argv.slice(2);
+const compiled = readFileSync(from);
+/** What is compiled for speed. Of these functions many stand in their callers, and have no name then. */
+const hot = readFileSync(new URL('hot.txt', import.meta.url), 'utf8').trim().split('\n');
+const called = new Set(names(compiled));
+const there = hot.filter((name) => called.has(name)).length;
+// As with the functions below: a name that is gone would leave its function slow.
+if (there < hot.length / 2) throw new Error(`${there} of ${hot.length} functions of hot.txt are there`);
 const { default: binaryen } = await import(pathToFileURL(`${folder}/index.js`));
 const cut = [without_sources, without_powers, without_notes, without_panics, without_lists];
-let module = binaryen.readBinary(cut.reduce((bytes, without) => without(bytes), readFileSync(from)));
+let module = binaryen.readBinary(cut.reduce((bytes, without) => without(bytes), compiled));
 const root = module.f64.sqrt(module.local.get(0, binaryen.f64));
 /** What stands in the place of a function; nothing where it stays. */
 function instead(part, results) {

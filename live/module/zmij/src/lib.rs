@@ -19,7 +19,7 @@ const EXACT: usize = 30;
 pub struct Buffer(String);
 
 /// `f32` and `f64`.
-pub trait Float: LowerExp {
+pub trait Float: LowerExp + Copy + Into<f64> {
     /// Digits that a number has at least which lies in the middle between two of so many: from two of fewer it
     /// is told apart.
     const MIDDLE: usize;
@@ -45,7 +45,7 @@ impl Buffer {
 
     /// A finite number: `1.0`, `0.25`, `1e+16`, `1.5e-7`.
     pub fn format_finite<F: Float>(&mut self, value: F) -> &str {
-        self.0 = to_even(format!("{value:e}"), F::MIDDLE, || format!("{value:.EXACT$e}"));
+        self.0 = to_even(format!("{value:e}"), value);
         if let Some((mantissa, exponent)) = self.0.split_once('e') {
             let exponent: i32 = exponent.parse().unwrap_or(0);
             self.0 = match exponent {
@@ -60,14 +60,21 @@ impl Buffer {
 
 /// Of two shortest decimals that are as near the even one, as the standard library takes the larger one.
 /// All digits are written out where it may be so, as that takes ten times as long.
-fn to_even(shortest: String, least: usize, exact: impl FnOnce() -> String) -> String {
+fn to_even<F: Float>(shortest: String, value: F) -> String {
     let Some((mantissa, power)) = shortest.split_once('e') else { return shortest };
     let is_odd = mantissa.ends_with(['1', '3', '5', '7', '9']);
     // A point is between them.
-    if !is_odd || !mantissa.contains('.') || mantissa.trim_start_matches('-').len() <= least {
+    let digits = mantissa.trim_start_matches('-').len();
+    if !is_odd || !mantissa.contains('.') || digits <= F::MIDDLE {
         return shortest;
     }
-    let exact = exact();
+    // In the middle it has one decimal more than these digits, and doubled as often it is whole.
+    let decimals = i32::try_from(digits).unwrap_or(0) - 1 - power.parse::<i32>().unwrap_or(0);
+    let scaled = value.into() * 2f64.powi(decimals);
+    if scaled != scaled.trunc() {
+        return shortest;
+    }
+    let exact = format!("{value:.EXACT$e}");
     let beyond = exact.get(mantissa.len()..).and_then(|rest| rest.strip_prefix('5'));
     let is_middle = beyond.is_some_and(|rest| rest.trim_start_matches('0').starts_with('e'));
     if is_middle {
