@@ -93,6 +93,8 @@ const ENTITY = { lt: "<", gt: ">", quot: '"', apos: "'", "#39": "'", amp: "&" };
 const unescaped = (s) => s.replace(/&(lt|gt|quot|apos|#39|amp);/g, (_, name) => ENTITY[name]);
 const ATTRIBUTE = /([\w:-]+)="([^"]*)"/g;
 const attributesOf = (tag) => new Map(Array.from(tag.matchAll(ATTRIBUTE), (m) => [m[1], unescaped(m[2])]));
+// The name of an attribute, of what stands before its value.
+const nameAt = (before) => /[\w:-]+(?==$)/.exec(before)[0];
 
 // The tag that begins a line of such a text, with its name, its id, and what follows it there.
 const HEAD = /^<([\w:-]+)(?: id="([^"]*)")?[^>]*>/;
@@ -131,18 +133,21 @@ function alike(old, now) {
     return [begin, end];
 }
 
-// Which old child each next one goes on as: that of its id, or else, in their order, one of its name that
-// none needs.
+// Which old child each next one goes on as: that of its id, or else what is written as it is, from either end,
+// and between those, in their order, one of its name that none needs.
 function kindred(old, next) {
     const known = new Map(old.filter((kid) => kid.id).map((kid) => [kid.id, kid]));
     const same = (kid) => (known.get(kid.id)?.name === kid.name ? known.get(kid.id) : undefined);
     const pairs = new Map(next.map((kid) => [kid, same(kid)]));
     const taken = new Set(pairs.values());
     const free = old.filter((kid) => !taken.has(kid));
-    let from = 0;
-    for (const kid of next) {
-        if (pairs.get(kid)) continue;
-        const at = free.findIndex((other, i) => i >= from && other.name === kid.name);
+    const rest = next.filter((kid) => !pairs.get(kid));
+    const [begin, end] = alike(...[free, rest].map((kids) => kids.map(({ tag }) => tag)));
+    for (let i = 0; i < begin; i++) pairs.set(rest[i], free[i]);
+    for (let i = 1; i <= end; i++) pairs.set(rest.at(-i), free.at(-i));
+    let from = begin;
+    for (const kid of rest.slice(begin, rest.length - end)) {
+        const at = free.findIndex((other, i) => i >= from && i < free.length - end && other.name === kid.name);
         if (at < 0) continue;
         pairs.set(kid, free[at]);
         from = at + 1;
@@ -259,14 +264,14 @@ class Picture {
             element.data = unescaped(next.tag);
             return;
         }
-        const [before, now] = [attributesOf(tag), attributesOf(next.tag)];
+        // Names and values take turns between quotes, as no value has one of its own; what is left closes.
+        const [before, now] = [tag, next.tag].map((text) => text.split('"').slice(0, -1));
+        const alike = before.length === now.length && now.every((part, i) => i % 2 > 0 || part === before[i]);
         // Others stand in another order: at rest the element is written as in the file.
-        if ([...before.keys()].join() !== [...now.keys()].join()) {
-            for (const name of before.keys()) element.removeAttribute(name);
-            before.clear();
-        }
-        for (const [name, value] of now) {
-            if (before.get(name) === value) continue;
+        for (let i = 0; !alike && i < before.length; i += 2) element.removeAttribute(nameAt(before[i]));
+        for (let i = 0; i < now.length; i += 2) {
+            if (alike && before[i + 1] === now[i + 1]) continue;
+            const [name, value] = [nameAt(now[i]), unescaped(now[i + 1])];
             if (name.startsWith("xlink:")) element.setAttributeNS(XLINK, name, value);
             else element.setAttribute(name, value);
         }

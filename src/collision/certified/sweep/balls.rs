@@ -234,6 +234,8 @@ impl Ray<'_, '_> {
         }
         let discriminant = radius * radius * speed_squared - across * across;
         match discriminant.sign() {
+            // It only touches the disc: where B ⊖ A reaches beyond, it has entered elsewhere.
+            Some(0) if self.drop_aside(vertex, across.sign().unwrap_or(0)).1 > 0.0 => Entry::Unsure,
             Some(touches @ (0 | 1)) => {
                 let c = dot(&p, &p) - radius * radius;
                 let last = TimeQuotient { numerator: c, denominator: along + discriminant.sqrt() };
@@ -267,13 +269,20 @@ impl Ray<'_, '_> {
         self.balls.drop_below(Side::B, j, &self.v) + self.balls.drop_below(Side::A, i, &reversed(&self.v))
     }
 
-    /// Whether the line certainly passes B ⊖ A, of which the vertex nearest to the line is on the given side
-    /// of it (1: left).
-    fn passes(&self, [i, j]: [usize; 2], side: i8) -> Entry {
+    /// The direction from the ray's line to a vertex of B ⊖ A that is on the given side of it (1: left), as
+    /// long as v, and how much farther the other way B ⊖ A may reach than that vertex, times |v|.
+    fn drop_aside(&self, [i, j]: [usize; 2], side: i8) -> (Vec2, f64) {
         let left = [-self.v[1], self.v[0]];
         let away = if side > 0 { left } else { reversed(&left) };
         let drop =
             self.balls.drop_below(Side::B, j, &away) + self.balls.drop_below(Side::A, i, &reversed(&away));
+        (away, drop)
+    }
+
+    /// Whether the line certainly passes B ⊖ A, of which the vertex nearest to the line is on the given side
+    /// of it (1: left).
+    fn passes(&self, [i, j]: [usize; 2], side: i8) -> Entry {
+        let (away, drop) = self.drop_aside([i, j], side);
         let reach = Ball::exact(self.pair.radius) * dot(&self.v, &self.v).sqrt();
         let clear = dot(&away, &self.balls.between(i, j)) - reach - Ball::new(drop);
         if clear.is_positive() { Entry::Misses } else { Entry::Unsure }

@@ -234,6 +234,20 @@ mod tests {
     }
 
     #[test]
+    fn a_ray_that_only_touches_the_disc_at_a_vertex_enters_through_the_edge_before_it() {
+        // Of a capsule that reaches 1e45 the ray meets the upper side, and touches the end's disc later.
+        let long = polygon(&[[2.408_231_784_405_426_8e45, -27.0], [-3.625, -3.625]], 3.625);
+        let a = moving(placed(long, 0.0, 0.0, 0.0), [0.0, 3.0], 0.0);
+        let b = placed(polygon(&[[0.125, 0.0], [0.0, 0.0]], 0.0), 0.0, 0.0, 0.0);
+        for sweep in [Sweep::new(&a, &b), Sweep::new(&b, &a)] {
+            let Outcome::Hit { time, .. } = sweep.first_contact() else { panic!("they meet") };
+            // 3.625 times the slope, over 3.
+            let exact = 3.625 * (27.0 - 3.625) / 2.408_231_784_405_426_8e45 / 3.0;
+            assert!(time.lo <= exact * (1.0 + 1e-15) && exact * (1.0 - 1e-15) <= time.hi, "{time:?}");
+        }
+    }
+
+    #[test]
     fn of_two_segments_along_the_motion_the_ends_that_face_each_other_meet_first() {
         let segment = |from: f64, to: f64, x: f64| placed(polygon(&[[from, from], [to, to]], 0.0), x, x, 0.0);
         let (needle, thread) = (segment(-3.0, -2.0, 0.0), segment(-2.0, -1.0, 4.0));
