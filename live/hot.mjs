@@ -1,8 +1,8 @@
-// In which functions of the module drags spend their time: `node live/hot.mjs MODULE` writes their names, where
-// MODULE is what the compiler gave, with names. `build --profile` keeps them in `hot.txt`.
+// In which functions of the module drags spend their time: `node live/hot.mjs MODULE` writes their names,
+// where MODULE is what the compiler gave, with names. `build --profile` keeps them in `hot.txt`.
 //
 // Every committed figure is dragged while Node samples which function runs. Of those with the most time for
-// their size so many are taken that they have `BYTES` together: what is optimized for speed there is worth most.
+// their size so many are taken that they have `BYTES` together: there optimizing for speed is worth most.
 import { readFileSync } from 'node:fs';
 import { Session } from 'node:inspector/promises';
 import { figures, ways } from './drags.mjs';

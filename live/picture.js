@@ -133,8 +133,8 @@ function alike(old, now) {
     return [begin, end];
 }
 
-// Which old child each next one goes on as: that of its id, or else what is written as it is, from either end,
-// and between those, in their order, one of its name that none needs.
+// Which old child each next one goes on as: that of its id, or else what is written as it is, from either
+// end, and between those, in their order, one of its name that none needs.
 function kindred(old, next) {
     const known = new Map(old.filter((kid) => kid.id).map((kid) => [kid.id, kid]));
     const same = (kid) => (known.get(kid.id)?.name === kid.name ? known.get(kid.id) : undefined);
@@ -142,12 +142,13 @@ function kindred(old, next) {
     const taken = new Set(pairs.values());
     const free = old.filter((kid) => !taken.has(kid));
     const rest = next.filter((kid) => !pairs.get(kid));
-    const [begin, end] = alike(...[free, rest].map((kids) => kids.map(({ tag }) => tag)));
+    const [begin, end] = alike(free.map(({ tag }) => tag), rest.map(({ tag }) => tag));
     for (let i = 0; i < begin; i++) pairs.set(rest[i], free[i]);
     for (let i = 1; i <= end; i++) pairs.set(rest.at(-i), free.at(-i));
     let from = begin;
+    const to = free.length - end;
     for (const kid of rest.slice(begin, rest.length - end)) {
-        const at = free.findIndex((other, i) => i >= from && i < free.length - end && other.name === kid.name);
+        const at = free.findIndex((other, i) => i >= from && i < to && other.name === kid.name);
         if (at < 0) continue;
         pairs.set(kid, free[at]);
         from = at + 1;
