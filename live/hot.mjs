@@ -42,7 +42,7 @@ for (const { stem, request, path, place } of figures()) {
 
 const called = names(module);
 const all = bodies(module).map(({ length }, index) => {
-    const name = called[index];
+    const name = called.get(index);
     return { name, length, time: samples.get(name) ?? 0 };
 });
 // What the standard library brings was compiled for speed.

@@ -226,7 +226,7 @@ const [folder, from, to] = process.argv.slice(2);
 const compiled = readFileSync(from);
 /** What is compiled for speed. Of these functions many stand in their callers, and have no name then. */
 const hot = readFileSync(new URL('hot.txt', import.meta.url), 'utf8').trim().split('\n');
-const called = new Set(names(compiled));
+const called = new Set(names(compiled).values());
 const there = hot.filter((name) => called.has(name)).length;
 // As with the functions below: a name that is gone would leave its function slow.
 if (there < hot.length / 2) throw new Error(`${there} of ${hot.length} functions of hot.txt are there`);

@@ -267,11 +267,12 @@ class Picture {
         }
         // Names and values take turns between quotes, as no value has one of its own; what is left closes.
         const [before, now] = [tag, next.tag].map((text) => text.split('"').slice(0, -1));
-        const alike = before.length === now.length && now.every((part, i) => i % 2 > 0 || part === before[i]);
+        const stays = (part, i) => i % 2 > 0 || part === before[i];
+        const isSame = before.length === now.length && now.every(stays);
         // Others stand in another order: at rest the element is written as in the file.
-        for (let i = 0; !alike && i < before.length; i += 2) element.removeAttribute(nameAt(before[i]));
+        for (let i = 0; !isSame && i < before.length; i += 2) element.removeAttribute(nameAt(before[i]));
         for (let i = 0; i < now.length; i += 2) {
-            if (alike && before[i + 1] === now[i + 1]) continue;
+            if (isSame && before[i + 1] === now[i + 1]) continue;
             const [name, value] = [nameAt(now[i]), unescaped(now[i + 1])];
             if (name.startsWith("xlink:")) element.setAttributeNS(XLINK, name, value);
             else element.setAttribute(name, value);

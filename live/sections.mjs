@@ -11,67 +11,57 @@ function number(bytes, at) {
     }
 }
 
-/** The pieces of memory that a module begins with: where each lies in it, and where in its bytes. */
-export function segments(bytes) {
-    const found = [];
-    for (let at = 8; at < bytes.length; ) {
-        const kind = bytes[at];
-        let [length, from] = number(bytes, at + 1);
+/** The sections of a module, or of a part of one that has its own: what each is, and where it begins. */
+function* sections(bytes, at) {
+    while (at < bytes.length) {
+        const [length, from] = number(bytes, at + 1);
+        yield { kind: bytes[at], from };
         at = from + length;
-        if (kind !== 11) continue;
-        let count;
-        [count, from] = number(bytes, from);
+    }
+}
+
+/** The items of the sections of a kind: what `item` gives for each, with the place after it. */
+function items(bytes, kind, item, at = 8) {
+    const found = [];
+    for (const section of sections(bytes, at)) {
+        if (section.kind !== kind) continue;
+        let [count, from] = number(bytes, section.from);
         for (; count > 0; count -= 1) {
-            // 0, i32.const ADDRESS, end, LENGTH, bytes.
-            if (bytes[from] !== 0 || bytes[from + 1] !== 0x41) throw new Error('data that lies nowhere');
-            const [address, end] = number(bytes, from + 2);
-            [length, from] = number(bytes, end + 1);
-            found.push({ address, from, length });
-            from += length;
+            const [made, next] = item(from);
+            found.push(made);
+            from = next;
         }
     }
     return found;
+}
+
+/** The pieces of memory that a module begins with: where each lies in it, and where in its bytes. */
+export function segments(bytes) {
+    return items(bytes, 11, (at) => {
+        // 0, i32.const ADDRESS, end, LENGTH, bytes.
+        if (bytes[at] !== 0 || bytes[at + 1] !== 0x41) throw new Error('data that lies nowhere');
+        const [address, end] = number(bytes, at + 2);
+        const [length, from] = number(bytes, end + 1);
+        return [{ address, from, length }, from + length];
+    });
 }
 
 /** The functions of a module, as their bytes. */
 export function bodies(bytes) {
-    for (let at = 8; at < bytes.length; ) {
-        const kind = bytes[at];
-        let [length, from] = number(bytes, at + 1);
-        at = from + length;
-        if (kind !== 10) continue;
-        const found = [];
-        let count;
-        [count, from] = number(bytes, from);
-        for (; count > 0; count -= 1) {
-            [length, from] = number(bytes, from);
-            found.push(bytes.subarray(from, from + length));
-            from += length;
-        }
-        return found;
-    }
-    throw new Error('no functions');
+    return items(bytes, 10, (at) => {
+        const [length, from] = number(bytes, at);
+        return [bytes.subarray(from, from + length), from + length];
+    });
 }
 
-/** What the functions of a module without imports are called, where it says that. */
+/** What the functions of a module without imports are called, where it says that, by their numbers. */
 export function names(bytes) {
     const [section] = WebAssembly.Module.customSections(new WebAssembly.Module(bytes), 'name');
     const said = Buffer.from(section ?? []);
-    const found = [];
-    for (let at = 0; at < said.length; ) {
-        const kind = said[at];
-        let [length, from] = number(said, at + 1);
-        at = from + length;
-        // Of functions.
-        if (kind !== 1) continue;
-        let [count, index] = [0, 0];
-        [count, from] = number(said, from);
-        for (; count > 0; count -= 1) {
-            [index, from] = number(said, from);
-            [length, from] = number(said, from);
-            found[index] = said.toString('utf8', from, from + length);
-            from += length;
-        }
-    }
-    return found;
+    const all = items(said, 1, (at) => {
+        const [index, after] = number(said, at);
+        const [length, from] = number(said, after);
+        return [[index, said.toString('utf8', from, from + length)], from + length];
+    }, 0);
+    return new Map(all);
 }

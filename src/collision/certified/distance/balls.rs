@@ -121,14 +121,19 @@ impl<'p, 's> BallPair<'p, 's> {
     pub(crate) fn measure(&self, mut facing: DifferenceEdge) -> MeasuredEdge {
         let normal = self.normal(facing.source, facing.edge);
         let partner = self.support(&mut facing, &normal);
-        let mut doubt = 0.0;
-        if partner.is_some() {
-            let (other, down) = (facing.source.other(), seen_by_other(facing.source, &normal));
-            doubt = self.drop_below(other, facing.vertex, &down);
-        }
-        let [i, j] = facing.start();
-        let gap = dot(&normal, &self.between(i, j)).widen(doubt);
+        let gap = self.gap(facing, partner, &normal);
         MeasuredEdge { facing, partner, normal, gap }
+    }
+
+    /// The gap along a normal of an edge of B ⊖ A, which [`Self::support`] has settled, times its length.
+    pub(crate) fn gap(&self, facing: DifferenceEdge, partner: Option<usize>, normal: &Vec2) -> Ball {
+        let DifferenceEdge { source, vertex, .. } = facing;
+        let [i, j] = facing.start();
+        let gap = dot(normal, &self.between(i, j));
+        match partner {
+            Some(_) => gap.widen(self.drop_below(source.other(), vertex, &seen_by_other(source, normal))),
+            None => gap,
+        }
     }
 
     /// Settles which vertex of the other body supports an edge of B ⊖ A along a normal of it, from A to B, of
@@ -184,7 +189,7 @@ impl<'p, 's> BallPair<'p, 's> {
 
 /// The direction along which the nearest vertex of the body beside an edge of `source` is lowest, of a normal
 /// of that edge from A to B.
-pub(crate) fn seen_by_other(source: Side, normal: &Vec2) -> Vec2 {
+fn seen_by_other(source: Side, normal: &Vec2) -> Vec2 {
     match source {
         Side::A => *normal,
         Side::B => reversed(normal),

@@ -18,9 +18,7 @@
 //! 1978; the root without cancellation is Press et al., *Numerical Recipes*, 2007, section 5.6.
 
 use crate::collision::certified::distance::Pair;
-use crate::collision::certified::distance::balls::{
-    BallPair, Vec2, cross, dot, minus, reversed, seen_by_other,
-};
+use crate::collision::certified::distance::balls::{BallPair, Vec2, cross, dot, minus, reversed};
 use crate::collision::certified::distance::gaps::pass;
 use crate::collision::certified::sweep::ray::Entry;
 use crate::collision::feature::{DifferenceEdge, DifferenceFeature, a_then_b};
@@ -173,15 +171,10 @@ impl Ray<'_, '_> {
     ///
     /// Both parts of the quotient are times the edge's length.
     fn meets_line(&self, line: &Line) -> TimeQuotient {
-        let DifferenceEdge { source, vertex, .. } = line.facing;
-        let [i, j] = line.facing.start();
         let n = &line.normal;
-        let mut gap = dot(n, &self.balls.between(i, j));
+        let mut gap = self.balls.gap(line.facing, line.partner, n);
         if self.pair.radius.hi > 0.0 {
             gap = gap - Ball::exact(self.pair.radius) * dot(n, n).sqrt();
-        }
-        if line.partner.is_some() {
-            gap = gap.widen(self.balls.drop_below(source.other(), vertex, &seen_by_other(source, n)));
         }
         TimeQuotient { numerator: gap, denominator: dot(n, &self.v) }
     }
