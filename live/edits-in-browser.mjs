@@ -1,5 +1,7 @@
 // Random edits of every committed figure, in Chromium: `node live/edits-in-browser.mjs [EDITS [SEED]]`.
-// `.ci/browser --install` installs what this needs. A trap ends it with status 1.
+// Each that is drawn is shown by the patch of the page, and must be what a page has that reads it anew.
+// `.ci/browser --install` installs what this needs. A trap or another picture ends it with status 1.
+import { readFileSync } from 'node:fs';
 import { launched } from '../.ci/chromium.mjs';
 import { bytes } from './module.mjs';
 import { figures } from './drags.mjs';
@@ -14,27 +16,49 @@ const runs = all.map(({ stem, request, path }) => ({
 }));
 const browser = await launched();
 const page = await browser.newPage();
+await page.addScriptTag({ content: readFileSync(new URL('picture.js', import.meta.url), 'utf8') });
 const counts = await page.evaluate(async ([packed, runs]) => {
     const module = Uint8Array.from(atob(packed), (c) => c.charCodeAt(0));
-    const { exports } = (await WebAssembly.instantiate(module, {})).instance;
+    let exports;
     const tell = (call, said) => {
         const text = new TextEncoder().encode(JSON.stringify(said));
         const at = exports.tf_input(text.length);
         new Uint8Array(exports.memory.buffer, at, text.length).set(text);
         return exports[call]() === 1;
     };
-    let [made, drawn] = [0, 0];
+    const written = () => {
+        const [start, length] = [exports.tf_out(), exports.tf_out_len()];
+        return new TextDecoder().decode(new Uint8Array(exports.memory.buffer, start, length));
+    };
+    /** Shows a text in an element of its own. */
+    const shown = (text) => {
+        document.body.innerHTML = text;
+        return document.body.firstElementChild;
+    };
+    let [made, drawn, stayed, picture] = [0, 0, 0];
     for (const { stem, request, edits } of runs) {
+        // The glyphs that a page brings are those of all that follow in an instance.
+        ({ exports } = (await WebAssembly.instantiate(module, {})).instance);
         for (const [i, edit] of edits.entries()) {
-            if (i % 50 === 0 && !tell('tf_open', request)) throw new Error(`${stem} is no figure`);
+            if (i % 50 === 0) {
+                if (!tell('tf_open', request) || !exports.tf_draw()) throw new Error(`${stem} is no figure`);
+                picture = new Picture(shown(written()).cloneNode(true));
+                if (!picture.begin(written())) throw new Error(`${stem} is not what is written of it`);
+            }
             if (!tell('tf_set', edit)) continue;
             made += 1;
-            drawn += exports.tf_draw();
+            if (!exports.tf_draw()) continue;
+            drawn += 1;
+            stayed += picture.patch(written());
+            const { outerHTML } = shown(written());
+            if (picture.svg.outerHTML !== outerHTML) {
+                throw new Error(`${stem} shows another picture after edit ${i}: ${JSON.stringify(edit)}`);
+            }
         }
     }
-    return { made, drawn };
+    return { made, drawn, stayed };
 }, [Buffer.from(bytes()).toString('base64'), runs]);
 await browser.close();
-const { made, drawn } = counts;
+const { made, drawn, stayed } = counts;
 const done = `${each * all.length} edits in Chromium without a trap`;
-console.log(`${done}: ${made} made a scene, ${drawn} were drawn`);
+console.log(`${done}: ${made} made a scene, ${drawn} were drawn, ${stayed} of them by the same elements`);

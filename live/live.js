@@ -36,13 +36,14 @@ class Figure extends Edited {
         const handle = this.info.handles.find(({ at }) => at);
         if (!handle) return;
         const dragged = (frame) => each(handle.value, (value) => value + frame * grainOf(handle));
-        Engine.warm(request, (frame) => handle.paths.map((path) => [path, dragged(frame)]));
+        const edits = (frame) => handle.paths.map((path) => [path, dragged(frame)]);
+        Engine.warm(request, this.picture.svg, edits);
     }
 
     constructor(root, request, alone) {
-        const { scene, info } = JSON.parse(request);
+        const { scene, info, id } = JSON.parse(request);
         super(scene);
-        Object.assign(this, { root, alone, info, told: info?.sentence });
+        Object.assign(this, { root, alone, info, id, told: info?.sentence });
         this.stage = root.querySelector("figure");
         this.picture = new Picture(this.stage.querySelector("svg"));
         this.knobs = new Map();
@@ -141,7 +142,12 @@ class Figure extends Edited {
 
     attemptWanted() {
         this.frame = undefined;
-        this.attempt(this.wanted.handle, this.wanted.value);
+        const { handle, value } = this.wanted;
+        const { name, panel } = handle;
+        const now = this.info.handles.find((other) => other.name === name && other.panel === panel);
+        // A pointer that moves by less than a step changes nothing, once its value is reached.
+        const isReached = String(now?.value) === String(value);
+        if (!isReached || this.why.textContent) this.attempt(handle, value);
     }
 
     // Does something with the module, as soon as it is there. After a trap it is of no use: another one takes
@@ -260,7 +266,7 @@ class Figure extends Edited {
         const held = new Map();
         for (const handle of this.info.handles.filter(({ grip }) => grip === "position")) {
             const side = ["A", "B"][this.scene.query.of.indexOf(handle.paths[0][1])];
-            const panel = this.picture.svg.querySelector(`[id$="-panel-${handle.panel + 1}"]`);
+            const panel = this.picture.svg.getElementById(`${this.id}-panel-${handle.panel + 1}`);
             const body = side && panel?.querySelector(`[id*="-body-${side}"]`);
             if (body) held.set(body, this.knob(handle));
         }

@@ -39,17 +39,19 @@ class Engine {
     // Draws frames of a drag that nobody sees, while the page rests: what runs often the browser compiles
     // better, and the first frames that someone sees are as fast as the later ones. `edits` gives those of
     // each frame. One figure of a page does it for all.
-    static async warm(request, edits) {
+    static async warm(request, svg, edits) {
         if (isWarm || !globalThis.requestIdleCallback) return;
         isWarm = true;
         const engine = await Engine.start(request);
+        const picture = new Picture(svg.cloneNode(true));
+        if (!engine.draw() || !picture.begin(engine.svg)) return;
         let left = WARMING;
         const stop = () => { left = 0; };
         for (const act of ["pointerdown", "keydown"]) addEventListener(act, stop, { once: true });
         for (let frame = 0; frame < FRAMES && left > 0; frame++) {
             await new Promise((resolve) => requestIdleCallback(resolve));
             const start = performance.now();
-            if (engine.set(edits(frame))) engine.draw();
+            if (engine.set(edits(frame)) && engine.draw()) picture.patch(engine.svg);
             left -= performance.now() - start;
         }
     }
@@ -87,44 +89,111 @@ class Engine {
     }
 }
 
-const TAG = /<[^>]*>|[^<]+/g;
 const XLINK = "http://www.w3.org/1999/xlink";
 const ENTITY = { lt: "<", gt: ">", quot: '"', apos: "'", "#39": "'", amp: "&" };
-const unescaped = (s) => s.replace(/&(lt|gt|quot|apos|#39|amp);/g, (_, name) => ENTITY[name]);
+const entity = (_, name) => ENTITY[name];
+const unescaped = (s) => (s.includes("&") ? s.replace(/&(lt|gt|quot|apos|#39|amp);/g, entity) : s);
 const ATTRIBUTE = /([\w:-]+)="([^"]*)"/g;
-const attributesOf = (tag) => new Map(Array.from(tag.matchAll(ATTRIBUTE), (m) => [m[1], unescaped(m[2])]));
+const attributesOf = (tag) => Array.from(tag.matchAll(ATTRIBUTE), (m) => [m[1], unescaped(m[2])]);
 // The name of an attribute, of what stands before its value.
-const nameAt = (before) => /[\w:-]+(?==$)/.exec(before)[0];
+const nameAt = (before) => before.slice(before.lastIndexOf(" ") + 1, -1);
 
 // The tag that begins a line of such a text, with its name, its id, and what follows it there.
 const HEAD = /^<([\w:-]+)(?: id="([^"]*)")?[^>]*>/;
 const ofText = (rest) => /^[^<]*/.exec(rest)[0];
 
-// The tree of a text that tracefig wrote, the element that begins in its line `first`: nodes with tag, name,
-// id and kids, their places in `tags`, and their first and last lines. Each tag that opens an element begins
-// a line; `lines` has the nodes by those, from `first`.
-function treeOf(tags, lines, first) {
-    const top = { kids: [] };
-    const open = [top];
-    let line = 0;
-    for (let i = 0; open.length > 0 && i < tags.length; i++) {
-        const tag = tags[i];
-        const inner = open[open.length - 1];
-        if (tag[0] !== "<") inner.kids.push({ tag, name: "#text", kids: null, from: i, to: i });
-        else if (tag[1] === "/") Object.assign(open.pop(), { to: i, last: first + line });
-        else {
-            const [, name, id] = HEAD.exec(tag);
-            const node = { tag, name, id, kids: [], from: i, to: i, line: first + line, last: first + line };
-            inner.kids.push(node);
-            lines[line] = node;
-            if (!tag.endsWith("/>")) open.push(node);
-        }
-        if (tag[0] !== "<" && tag.includes("\n")) line += tag.split("\n").length - 1;
-    }
-    return top.kids.find((node) => node.kids);
+// A line without so many tags at its end.
+function cut(line, tags) {
+    let end = line.length;
+    for (let i = 0; i < tags; i++) end = line.lastIndexOf("<", end - 1);
+    return line.slice(0, end);
 }
 
-// How many lines at the beginning of two texts are the same, and how many after those at their ends.
+// A text that tracefig wrote, by its lines. Each tag that opens an element begins one, so that an element is
+// named by it: `last` has the line in which each ends, and `after` how many that lie around it end there too.
+class Text {
+    constructor(lines) {
+        [this.lines, this.last, this.after] = [lines, [], []];
+        const open = [];
+        for (let i = 0; i < lines.length; i++) {
+            const line = lines[i];
+            const opens = line[0] === "<" && line[1] !== "/";
+            const end = opens ? line.indexOf(">") + 1 : 0;
+            if (opens) open.push(i);
+            let closing = opens && line[end - 2] === "/" ? 1 : 0;
+            for (let at = end; (at = line.indexOf("</", at)) >= 0; at += 2) closing += 1;
+            while (closing > 0) {
+                const element = open.pop();
+                this.last[element] = i;
+                this.after[element] = closing -= 1;
+            }
+        }
+    }
+
+    // The elements in one.
+    kids(element) {
+        const kids = [];
+        for (let line = element + 1; line <= this.last[element]; line++) {
+            if (this.last[line] === undefined) continue;
+            const [tag, name, id] = HEAD.exec(this.lines[line]);
+            kids.push({ line, tag, name, id });
+            line = this.last[line];
+        }
+        return kids;
+    }
+
+    // The lines of one.
+    of(element) {
+        const lines = this.lines.slice(element, this.last[element] + 1);
+        lines.push(cut(lines.pop(), this.after[element]));
+        return lines;
+    }
+
+    // What is written in it.
+    inner(element) {
+        const [text, [tag]] = [this.of(element).join("\n"), HEAD.exec(this.lines[element])];
+        return tag.endsWith("/>") ? "" : text.slice(tag.length, text.lastIndexOf("</"));
+    }
+
+    // Whether its end has a line of its own.
+    trails(element) {
+        return this.lines[this.last[element]].startsWith("</");
+    }
+}
+
+// Whether two lines begin an element of the same name, and of the same id where that matters.
+function isKin(a, b, isStrict) {
+    // Most begin with an attribute that is no id.
+    const quote = a.indexOf('"') + 1;
+    if (quote > 0 && b.startsWith(a.slice(0, quote)) && !a.endsWith(' id="', quote)) return a[0] === "<";
+    const [was, is] = [HEAD.exec(a), HEAD.exec(b)];
+    return was !== null && was[1] === is?.[1] && (!isStrict || was[2] === is[2]);
+}
+
+// What differs between the lines of two elements that have the same ones in them: each line with both its
+// tags, and other words. The first may have another id.
+function differences(old, from, now, to) {
+    const more = now.last[to] - to;
+    if (old.last[from] - from !== more) return undefined;
+    const differ = [];
+    for (let i = 0; i <= more; i++) {
+        let [a, b] = [old.lines[from + i], now.lines[to + i]];
+        if (i === more) [a, b] = [cut(a, old.after[from]), cut(b, now.after[to])];
+        if (a === b) continue;
+        if (!isKin(a, b, i > 0)) return undefined;
+        const [was, is] = [a, b].map((line) => line.slice(0, line.indexOf(">") + 1));
+        if (was.endsWith("/>") !== is.endsWith("/>")) return undefined;
+        const [before, after] = [a.slice(was.length), b.slice(is.length)];
+        const [words, said] = before === after ? ["", ""] : [before, after].map(ofText);
+        // Words that end in their line.
+        const isRead = words !== before && before.slice(words.length) === after.slice(said.length);
+        if (before !== after && !isRead) return undefined;
+        differ.push([i, was, is, words === said ? undefined : said]);
+    }
+    return differ;
+}
+
+// How many at the beginning of two lists are the same, and how many after those at their ends.
 function alike(old, now) {
     const least = Math.min(old.length, now.length);
     let [begin, end] = [0, 0];
@@ -136,6 +205,8 @@ function alike(old, now) {
 // Which old child each next one goes on as: that of its id, or else what is written as it is, from either
 // end, and between those, in their order, one of its name that none needs.
 function kindred(old, next) {
+    const goesOn = ({ name, id }, i) => name === next[i].name && id === next[i].id;
+    if (old.length === next.length && old.every(goesOn)) return new Map(next.map((kid, i) => [kid, old[i]]));
     const known = new Map(old.filter((kid) => kid.id).map((kid) => [kid.id, kid]));
     const same = (kid) => (known.get(kid.id)?.name === kid.name ? known.get(kid.id) : undefined);
     const pairs = new Map(next.map((kid) => [kid, same(kid)]));
@@ -168,144 +239,136 @@ class Picture {
 
     // Takes what the page shows for the picture of this text; whether it is.
     begin(text) {
-        this.lines = text.split("\n");
-        this.nodes = [];
-        this.shown = treeOf(text.match(TAG), this.nodes, 0);
-        return this.bind(this.shown, this.svg);
+        this.text = new Text(text.split("\n"));
+        this.elements = []; // By the lines that they begin.
+        const count = bind(this.text, this.elements, 0, this.svg);
+        const isOurs = (element, line) => isOf(this.text, line, element);
+        return count === this.text.last.reduce((sum) => sum + 1, 0) && this.elements.every(isOurs);
     }
 
-    // Ties a tree to the elements of the page; whether they are the same.
-    bind(node, element) {
-        node.element = element;
-        if (element?.nodeName !== node.name) return false;
-        if (!node.kids) return element.data === unescaped(node.tag);
-        const own = attributesOf(node.tag);
-        let fits = element.attributes.length === own.size && element.childNodes.length === node.kids.length;
-        for (const [name, value] of own) fits &&= element.getAttribute(name) === value;
-        for (const [i, kid] of node.kids.entries()) fits = this.bind(kid, element.childNodes[i]) && fits;
-        return fits;
-    }
 
-    // Shows another text; whether all elements stayed.
+    // Shows another text; whether all elements stayed. In most frames they do.
     patch(text) {
         const lines = text.split("\n");
-        if (this.redress(lines)) return true;
-        const [begin, end] = alike(this.lines, lines);
-        const last = this.lines.length - 1;
-        const holds = ({ kids, line, last: close }) => kids && line < begin && close > last - end;
-        // Read is what holds all that differs, and nothing around it.
-        let [around, inner] = [undefined, this.shown];
-        for (let kid = inner; kid; kid = inner.kids.find(holds)) [around, inner] = [inner, kid];
-        this.renew(inner, around, lines);
+        // Another page size moves all that lies over the picture.
+        const isOfSize = lines.length === this.text.lines.length && lines[0] === this.text.lines[0];
+        const differ = isOfSize && differences(this.text, 0, { ...this.text, lines }, 0);
+        if (differ) {
+            this.redress(differ, 0);
+            this.text.lines = lines;
+            return true;
+        }
+        const next = { text: new Text(lines), elements: [] };
+        this.morph(0, next, 0);
+        Object.assign(this, next);
         return false;
     }
 
-    // Makes an element, which lies in another one, that of other lines; all around it is as it was.
-    renew(old, around, lines) {
-        const { last } = old;
-        const more = lines.length - this.lines.length;
-        // What lies around it may close in its last line.
-        const tags = lines.slice(old.line, last + 1 + more).join("\n").match(TAG);
-        const nodes = [];
-        const next = treeOf(tags, nodes, old.line);
-        this.morph(old, next, tags);
-        if (old === this.shown) this.shown = next;
-        else around.kids[around.kids.indexOf(old)] = next;
-        const after = this.nodes.slice(last + 1);
-        after.forEach((node) => { node.line += more; });
-        this.nodes.forEach((node) => { if (node.last >= last) node.last += more; });
-        this.nodes.length = old.line;
-        nodes.length = last + 1 + more - old.line;
-        this.nodes = this.nodes.concat(nodes, after);
-        this.lines = lines;
-    }
-
-    // Sets what differs in a text of the same elements, line by line; whether it is one. Most frames are.
-    redress(lines) {
-        if (lines.length !== this.lines.length) return false;
-        const differ = [];
-        for (let i = 0; i < lines.length; i++) {
-            if (lines[i] === this.lines[i]) continue;
-            const [was, is] = [HEAD.exec(this.lines[i]), HEAD.exec(lines[i])];
-            const node = this.nodes[i];
-            // Another page size moves all that lies over the picture.
-            if (!node || node === this.shown || was?.[1] !== is?.[1] || was[2] !== is[2]) return false;
-            const [before, now] = [this.lines[i].slice(was[0].length), lines[i].slice(is[0].length)];
-            const [old, text] = [before, now].map(ofText);
-            if (before.slice(old.length) !== now.slice(text.length)) return false;
-            if (was[0].endsWith("/>") !== is[0].endsWith("/>")) return false;
-            const [inner] = node.kids;
-            if (before !== now && (inner?.kids !== null || inner.tag !== old)) return false;
-            differ.push([node, is[0], before === now ? undefined : text]);
+    // Sets what differs in the lines from one on.
+    redress(differ, first) {
+        for (const [i, was, is, said] of differ) {
+            const element = this.elements[first + i];
+            dress(element, was, is);
+            if (said !== undefined) element.textContent = unescaped(said);
         }
-        for (const [node, tag, text] of differ) {
-            if (node.tag !== tag) this.dress(node, { tag, kids: node.kids });
-            node.tag = tag;
-            if (text === undefined) continue;
-            this.dress(node.kids[0], { tag: text, kids: null });
-            node.kids[0].tag = text;
-        }
-        this.lines = lines;
-        return true;
     }
 
-    // Makes the element of an old node that of the next one.
-    morph(old, next, tags) {
-        next.element = old.element;
-        if (old.tag !== next.tag) this.dress(old, next);
-        if (!next.kids) return;
-        const alike = old.kids.length === next.kids.length
-            && old.kids.every((kid, i) => kid.name === next.kids[i].name && kid.id === next.kids[i].id);
-        if (alike) next.kids.forEach((kid, i) => this.morph(old.kids[i], kid, tags));
-        else this.arrange(old, next, tags);
-    }
-
-    dress({ element, tag }, next) {
-        if (!next.kids) {
-            element.data = unescaped(next.tag);
+    // Makes an element of the picture that of the next one.
+    morph(old, next, line) {
+        const differ = differences(this.text, old, next.text, line);
+        if (differ) {
+            this.redress(differ, old);
+            for (let i = old; i <= this.text.last[old]; i++) next.elements[line + i - old] = this.elements[i];
             return;
         }
-        // Names and values take turns between quotes, as no value has one of its own; what is left closes.
-        const [before, now] = [tag, next.tag].map((text) => text.split('"').slice(0, -1));
-        const stays = (part, i) => i % 2 > 0 || part === before[i];
-        const isSame = before.length === now.length && now.every(stays);
-        // Others stand in another order: at rest the element is written as in the file.
-        for (let i = 0; !isSame && i < before.length; i += 2) element.removeAttribute(nameAt(before[i]));
-        for (let i = 0; i < now.length; i += 2) {
-            if (isSame && before[i + 1] === now[i + 1]) continue;
-            const [name, value] = [nameAt(now[i]), unescaped(now[i + 1])];
-            if (name.startsWith("xlink:")) element.setAttributeNS(XLINK, name, value);
-            else element.setAttribute(name, value);
+        const element = this.elements[old];
+        next.elements[line] = element;
+        const [was, is] = [this.text.lines[old], next.text.lines[line]].map((text) => HEAD.exec(text)[0]);
+        dress(element, was, is);
+        const [before, kids] = [this.text.kids(old), next.text.kids(line)];
+        const isList = before.length > 0 && kids.length > 0;
+        if (isList && this.text.trails(old) === next.text.trails(line)) {
+            this.arrange(before, next, kids, element);
+            return;
         }
+        const [wrote, writes] = [this.text.inner(old), next.text.inner(line)];
+        if (writes !== wrote) write(element, writes);
+        bind(next.text, next.elements, line, element);
     }
 
     // Children keep their elements: those with an id wherever they stand now, others take that of the next
-    // old one of their name. What is left over goes, what is lacking is written.
-    arrange(old, next, tags) {
-        const kept = kindred(old.kids, next.kids);
+    // old one of their name. What is left over goes, what is lacking is written. Each has a line, so that its
+    // end stands before it.
+    arrange(old, next, kids, element) {
+        const kept = kindred(old, kids);
         const stay = new Set(kept.values());
-        for (const kid of old.kids) if (!stay.has(kid)) kid.element.remove();
-        const lacking = next.kids.filter((kid) => !kept.get(kid));
-        const made = this.parsed(lacking, tags);
-        let place = next.element.firstChild;
-        for (const kid of next.kids) {
-            const before = kept.get(kid);
-            const element = before?.element ?? made.shift();
-            if (element === place) place = place.nextSibling;
-            else next.element.insertBefore(element, place);
-            if (before) this.morph(before, kid, tags);
-            else this.bind(kid, element);
+        for (const kid of old) {
+            if (stay.has(kid)) continue;
+            this.elements[kid.line].previousSibling.remove();
+            this.elements[kid.line].remove();
+        }
+        const lacking = kids.filter((kid) => !kept.get(kid));
+        const made = lacking.length > 0 && document.createElementNS(element.namespaceURI, "g");
+        if (made) made.innerHTML = lacking.map(({ line }) => `\n${next.text.of(line).join("\n")}`).join("");
+        let [before, most] = [undefined, 0];
+        for (const kid of kids) {
+            const from = kept.get(kid)?.line;
+            const own = from === undefined ? made.firstElementChild : this.elements[from];
+            if (from > most) most = from; // It stands after all that are before it.
+            else {
+                const place = before ? before.nextSibling : element.firstChild;
+                const lineEnd = own.previousSibling;
+                element.insertBefore(lineEnd, place);
+                element.insertBefore(own, place);
+            }
+            before = own;
+            if (from === undefined) bind(next.text, next.elements, kid.line, own);
+            else this.morph(from, next, kid.line);
         }
     }
+}
 
-    // New elements and texts of nodes; what is to be read is read at once.
-    parsed(nodes, tags) {
-        const group = document.createElementNS("http://www.w3.org/2000/svg", "g");
-        const written = nodes.filter(({ kids }) => kids);
-        const texts = written.map(({ from, to }) => tags.slice(from, to + 1).join(""));
-        if (texts.length > 0) group.innerHTML = texts.join("");
-        const elements = [...group.childNodes];
-        const text = (tag) => document.createTextNode(unescaped(tag));
-        return nodes.map(({ kids, tag }) => (kids ? elements.shift() : text(tag)));
+// Ties an element of a text, and all in it, to those of the page, and says how many those are.
+function bind(text, elements, line, element) {
+    const inner = element.getElementsByTagName("*");
+    elements[line] = element;
+    let at = 0;
+    for (let i = line + 1; i <= text.last[line]; i++) {
+        if (text.last[i] !== undefined) elements[i] = inner[at++];
+    }
+    return inner.length + 1;
+}
+
+// Whether an element is as a text says, but for those in it.
+function isOf(text, line, element) {
+    const [tag, name] = HEAD.exec(text.lines[line]);
+    const own = attributesOf(tag);
+    if (element.nodeName !== name || element.attributes.length !== own.length) return false;
+    if (own.some(([name, value]) => element.getAttribute(name) !== value)) return false;
+    const kids = text.kids(line).length;
+    if (kids === 0) return element.textContent === unescaped(text.inner(line));
+    // The ends of lines are texts.
+    return element.childNodes.length === 2 * kids + text.trails(line);
+}
+
+function write(element, inner) {
+    if (inner.includes("<")) element.innerHTML = inner;
+    else element.textContent = unescaped(inner);
+}
+
+// Sets what differs between two tags of an element.
+function dress(element, old, next) {
+    if (old === next) return;
+    // Names and values take turns between quotes, as no value has one of its own; what is left closes.
+    const [before, now] = [old.split('"'), next.split('"')];
+    let isSame = before.length === now.length;
+    for (let i = 0; isSame && i < now.length; i += 2) isSame = before[i] === now[i];
+    // Others stand in another order: at rest the element is written as in the file.
+    for (let i = 0; !isSame && i < before.length - 1; i += 2) element.removeAttribute(nameAt(before[i]));
+    for (let i = 0; i < now.length - 1; i += 2) {
+        if (isSame && before[i + 1] === now[i + 1]) continue;
+        const [name, value] = [nameAt(now[i]), unescaped(now[i + 1])];
+        if (name.startsWith("xlink:")) element.setAttributeNS(XLINK, name, value);
+        else element.setAttribute(name, value);
     }
 }
