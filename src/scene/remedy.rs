@@ -87,7 +87,14 @@ impl Fault {
             Self::NotFinite { .. } => "write a number; what an engine answered with `nan` is left out",
             Self::UnsuitedAlgorithm { .. } => "without the key `algorithm` one is chosen that does",
             Self::UnsuitedShape { .. } => "ask it of another shape, or ask another question: `kind`",
-            Self::MissingKey { key, .. } => return format!("add `{key}` there"),
+            Self::MissingKey { key, .. } if key == "circumradius" => {
+                "add how far its vertices are from its centre: `circumradius`; `radius` rounds it"
+            }
+            Self::MissingKey { key, expected, .. } => {
+                let example = example(key, expected).filter(|example| example.starts_with('['));
+                let so = example.map(|example| format!(", as {example}")).unwrap_or_default();
+                return format!("add `{key}` there{so}");
+            }
             Self::WrongType { key, expected, .. } => return written(key, expected),
             Self::OutOfRange { key, .. } => {
                 return format!("give `{key}` such a value, or leave it out where it need not be given");
@@ -126,8 +133,8 @@ fn of_shape(error: &ShapeError) -> Option<&'static str> {
     })
 }
 
-/// How a value of the type that is expected is written, in TOML as in JSON.
-fn written(key: &str, expected: &str) -> String {
+/// A value of the type that is expected, in TOML as in JSON.
+fn example(key: &str, expected: &str) -> Option<&'static str> {
     let examples = [
         ("two numbers", "[1, 0.5]"),
         ("a number", "1.5"),
@@ -137,11 +144,19 @@ fn written(key: &str, expected: &str) -> String {
         ("a list of points", "[[0, 0], [1, 0], [0, 1]]"),
         ("a list", "[\"A\", \"B\"]"),
     ];
-    let example = examples.iter().find(|(kind, _)| expected.starts_with(kind));
+    match key {
+        "points" => Some("[[-1, 0], [1, 0]]"),
+        "rotation" => Some("[0, 1], the cosine and the sine; degrees are `angle_deg`"),
+        _ => examples.iter().find(|(kind, _)| expected.starts_with(kind)).map(|(_, example)| *example),
+    }
+}
+
+/// How a value of the type that is expected is written.
+fn written(key: &str, expected: &str) -> String {
     let key = key.rsplit('.').next().unwrap_or(key);
     let plain = |key: &str| key.bytes().all(|b| b.is_ascii_alphanumeric() || b == b'_');
-    match example.filter(|_| plain(key)) {
-        Some((_, example)) => format!("`{key}` is written as {example}"),
+    match example(key, expected).filter(|_| plain(key)) {
+        Some(example) => format!("`{key}` is written as {example}"),
         None => format!("`tracefig list` says what `{key}` may be"),
     }
 }
@@ -195,5 +210,13 @@ mod tests {
         let said = flat.unwrap_err().problems[0].fault.remedy().unwrap();
         assert!(said.contains("`capsule`"), "a box without a height: {said}");
         assert_eq!(written("radius", "a number of 0 or more"), "`radius` is written as 1.5");
+        assert!(written("rotation", "two numbers").contains("`angle_deg`"));
+        let lacking = |key: &str, expected: &str| {
+            let (key, place, expected) = (key.to_owned(), text(), expected.to_owned());
+            Fault::MissingKey { key, place, expected }.remedy().unwrap()
+        };
+        assert_eq!(lacking("of", "a list of names of shapes"), "add `of` there, as [\"A\", \"B\"]");
+        assert_eq!(lacking("radius", "a number"), "add `radius` there");
+        assert!(lacking("circumradius", "a number").contains("`radius` rounds it"));
     }
 }
