@@ -111,7 +111,7 @@ function cut(line, tags) {
 
 // A text that tracefig wrote, by its lines. Each tag that opens an element begins one, so that an element is
 // named by it: `last` has the line in which each ends, and `after` how many that lie around it end there too.
-class Text {
+class Written {
     constructor(lines) {
         [this.lines, this.last, this.after] = [lines, [], []];
         const open = [];
@@ -239,7 +239,7 @@ class Picture {
 
     // Takes what the page shows for the picture of this text; whether it is.
     begin(text) {
-        this.text = new Text(text.split("\n"));
+        this.text = new Written(text.split("\n"));
         this.elements = []; // By the lines that they begin.
         const count = bind(this.text, this.elements, 0, this.svg);
         const isOurs = (element, line) => isOf(this.text, line, element);
@@ -258,7 +258,7 @@ class Picture {
             this.text.lines = lines;
             return true;
         }
-        const next = { text: new Text(lines), elements: [] };
+        const next = { text: new Written(lines), elements: [] };
         this.morph(0, next, 0);
         Object.assign(this, next);
         return false;
