@@ -26,9 +26,11 @@ const counts = await page.evaluate(async ([packed, runs]) => {
         new Uint8Array(exports.memory.buffer, at, text.length).set(text);
         return exports[call]() === 1;
     };
+    let lineEnd;
     const written = () => {
         const [start, length] = [exports.tf_out(), exports.tf_out_len()];
-        return new TextDecoder().decode(new Uint8Array(exports.memory.buffer, start, length));
+        const text = new TextDecoder().decode(new Uint8Array(exports.memory.buffer, start, length));
+        return text.replaceAll('\n', lineEnd);
     };
     /** Shows a text in an element of its own. */
     const shown = (text) => {
@@ -41,6 +43,7 @@ const counts = await page.evaluate(async ([packed, runs]) => {
         ({ exports } = (await WebAssembly.instantiate(module, {})).instance);
         for (const [i, edit] of edits.entries()) {
             if (i % 50 === 0) {
+                lineEnd = i % 100 === 0 ? '\n' : ' '; // As it stands in a page, or in a book.
                 if (!tell('tf_open', request) || !exports.tf_draw()) throw new Error(`${stem} is no figure`);
                 picture = new Picture(shown(written()).cloneNode(true));
                 if (!picture.begin(written())) throw new Error(`${stem} is not what is written of it`);

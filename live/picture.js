@@ -109,11 +109,16 @@ function cut(line, tags) {
     return line.slice(0, end);
 }
 
-// A text that tracefig wrote, by its lines. Each tag that opens an element begins one, so that an element is
-// named by it: `last` has the line in which each ends, and `after` how many that lie around it end there too.
+// The lines of a text that tracefig wrote, of which each tag that opens an element begins one, and what
+// stands between them: a line break, or as in a book a space.
+const lineEndOf = (text) => text[text.indexOf(">") + 1];
+const linesOf = (text) => text.split(lineEndOf(text) === "\n" ? "\n" : / (?=<)/);
+
+// A text by its lines. An element is named by the line that it begins: `last` has the line in which each
+// ends, and `after` how many that lie around it end there too.
 class Written {
-    constructor(lines) {
-        [this.lines, this.last, this.after] = [lines, [], []];
+    constructor(lines, lineEnd) {
+        [this.lines, this.lineEnd, this.last, this.after] = [lines, lineEnd, [], []];
         const open = [];
         for (let i = 0; i < lines.length; i++) {
             const line = lines[i];
@@ -151,7 +156,7 @@ class Written {
 
     // What is written in it.
     inner(element) {
-        const [text, [tag]] = [this.of(element).join("\n"), HEAD.exec(this.lines[element])];
+        const [text, [tag]] = [this.of(element).join(this.lineEnd), HEAD.exec(this.lines[element])];
         return tag.endsWith("/>") ? "" : text.slice(tag.length, text.lastIndexOf("</"));
     }
 
@@ -239,7 +244,7 @@ class Picture {
 
     // Takes what the page shows for the picture of this text; whether it is.
     begin(text) {
-        this.text = new Written(text.split("\n"));
+        this.text = new Written(linesOf(text), lineEndOf(text));
         this.elements = []; // By the lines that they begin.
         const count = bind(this.text, this.elements, 0, this.svg);
         const isOurs = (element, line) => isOf(this.text, line, element);
@@ -249,7 +254,7 @@ class Picture {
 
     // Shows another text; whether all elements stayed. In most frames they do.
     patch(text) {
-        const lines = text.split("\n");
+        const lines = linesOf(text);
         // Another page size moves all that lies over the picture.
         const isOfSize = lines.length === this.text.lines.length && lines[0] === this.text.lines[0];
         const differ = isOfSize && differences(this.text, 0, { ...this.text, lines }, 0);
@@ -258,7 +263,7 @@ class Picture {
             this.text.lines = lines;
             return true;
         }
-        const next = { text: new Written(lines), elements: [] };
+        const next = { text: new Written(lines, lineEndOf(text)), elements: [] };
         this.morph(0, next, 0);
         Object.assign(this, next);
         return false;
@@ -300,6 +305,7 @@ class Picture {
     // old one of their name. What is left over goes, what is lacking is written. Each has a line, so that its
     // end stands before it.
     arrange(old, next, kids, element) {
+        const { lineEnd } = next.text;
         const kept = kindred(old, kids);
         const stay = new Set(kept.values());
         for (const kid of old) {
@@ -309,7 +315,8 @@ class Picture {
         }
         const lacking = kids.filter((kid) => !kept.get(kid));
         const made = lacking.length > 0 && document.createElementNS(element.namespaceURI, "g");
-        if (made) made.innerHTML = lacking.map(({ line }) => `\n${next.text.of(line).join("\n")}`).join("");
+        const wholeOf = ({ line }) => lineEnd + next.text.of(line).join(lineEnd);
+        if (made) made.innerHTML = lacking.map(wholeOf).join("");
         let [before, most] = [undefined, 0];
         for (const kid of kids) {
             const from = kept.get(kid)?.line;
@@ -317,8 +324,7 @@ class Picture {
             if (from > most) most = from; // It stands after all that are before it.
             else {
                 const place = before ? before.nextSibling : element.firstChild;
-                const lineEnd = own.previousSibling;
-                element.insertBefore(lineEnd, place);
+                element.insertBefore(own.previousSibling, place);
                 element.insertBefore(own, place);
             }
             before = own;
