@@ -138,6 +138,9 @@ const quantile = (values, share) => {
     return sorted.length > 0 ? sorted[Math.floor(share * (sorted.length - 1))] : Number.NaN;
 };
 
+// The times of those frames that drew.
+const drawing = (frames) => frames.filter(({ drew }) => drew).map(({ ms }) => ms);
+
 // Goes to the page's own address without numbers, back and forward.
 async function wander(page, stem) {
     const [moved, plain] = [await shown(page), page.url().replace(/#.*/, "#")];
@@ -219,8 +222,7 @@ async function figure(stem) {
     for (const line of lost) fail(stem, `a search does not find "${line}"`);
     if (!(await picture(page))) fail(stem, "after a reset the picture is another one");
     await page.close();
-    const drew = cpu.filter((frame) => frame.drew);
-    const shares = [ms, drew.map((frame) => frame.ms)].flatMap((values) => [quantile(values, 0.5), quantile(values, 0.95)]);
+    const shares = [ms, drawing(cpu)].flatMap((values) => [quantile(values, 0.5), quantile(values, 0.95)]);
     const numbers = [ready, drawn, ...shares].map((x) => x.toFixed(1).padStart(7));
     const sizes = [html.length, gzipSync(html).length].map((x) => String(x).padStart(8));
     console.log(`${stem.padEnd(26)}${sizes.join("")}${numbers.join(" ")}  ${String(knobs.length).padStart(2)} handles`);
@@ -235,10 +237,11 @@ for (const stem of stems) {
     all.ms.push(...ms);
     all.cpu.push(...cpu);
 }
-const cpu = all.cpu.map(({ ms }) => ms);
-const drew = all.cpu.filter((frame) => frame.drew).map(({ ms }) => ms);
-const kinds = { "on the clock": all.ms, "processor time": cpu, "processor time where it was drawn": drew };
-for (const [about, values] of Object.entries(kinds)) {
+for (const [about, values] of Object.entries({
+    "on the clock": all.ms,
+    "processor time": all.cpu.map(({ ms }) => ms),
+    "processor time where it was drawn": drawing(all.cpu),
+})) {
     const [median, most] = [0.5, 0.95].map((share) => quantile(values, share).toFixed(1));
     console.log(`all, ${about}: median ${median}, p95 ${most} ms of ${values.length} frames`);
 }

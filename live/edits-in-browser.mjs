@@ -3,7 +3,6 @@
 // `.ci/browser --install` installs what this needs. A trap or another picture ends it with status 1.
 import { readFileSync } from 'node:fs';
 import { launched } from '../.ci/chromium.mjs';
-import { bytes } from './module.mjs';
 import { figures } from './drags.mjs';
 import { edits } from './random.mjs';
 
@@ -12,45 +11,34 @@ const all = figures();
 const each = Math.ceil(count / all.length);
 const next = edits(seed);
 const runs = all.map(({ stem, request, path }) => ({
-    stem, request, edits: Array.from({ length: each }, () => next(path[1] + 1)),
+    stem, request: JSON.stringify(request), edits: Array.from({ length: each }, () => next(path[1] + 1)),
 }));
+const here = (name) => readFileSync(new URL(name, import.meta.url));
 const browser = await launched();
 const page = await browser.newPage();
-await page.addScriptTag({ content: readFileSync(new URL('picture.js', import.meta.url), 'utf8') });
-const counts = await page.evaluate(async ([packed, runs]) => {
-    const module = Uint8Array.from(atob(packed), (c) => c.charCodeAt(0));
-    let exports;
-    const tell = (call, said) => {
-        const text = new TextEncoder().encode(JSON.stringify(said));
-        const at = exports.tf_input(text.length);
-        new Uint8Array(exports.memory.buffer, at, text.length).set(text);
-        return exports[call]() === 1;
-    };
-    let lineEnd;
-    const written = () => {
-        const [start, length] = [exports.tf_out(), exports.tf_out_len()];
-        const text = new TextDecoder().decode(new Uint8Array(exports.memory.buffer, start, length));
-        return text.replaceAll('\n', lineEnd);
-    };
+await page.addScriptTag({ content: here('picture.js').toString() });
+const counts = await page.evaluate(async ([module, runs]) => {
+    globalThis.tracefigModule = module;
     /** Shows a text in an element of its own. */
     const shown = (text) => {
         document.body.innerHTML = text;
         return document.body.firstElementChild;
     };
-    let [made, drawn, stayed, picture] = [0, 0, 0];
+    let [made, drawn, stayed] = [0, 0, 0];
     for (const { stem, request, edits } of runs) {
-        // The glyphs that a page brings are those of all that follow in an instance.
-        ({ exports } = (await WebAssembly.instantiate(module, {})).instance);
+        let [engine, picture, lineEnd] = [];
+        const written = () => engine.svg.replaceAll('\n', lineEnd);
         for (const [i, edit] of edits.entries()) {
             if (i % 50 === 0) {
                 lineEnd = i % 100 === 0 ? '\n' : ' '; // As it stands in a page, or in a book.
-                if (!tell('tf_open', request) || !exports.tf_draw()) throw new Error(`${stem} is no figure`);
+                engine = await Engine.start(request);
+                if (!engine.draw()) throw new Error(`${stem}: ${engine.info.error}`);
                 picture = new Picture(shown(written()).cloneNode(true));
                 if (!picture.begin(written())) throw new Error(`${stem} is not what is written of it`);
             }
-            if (!tell('tf_set', edit)) continue;
+            if (!engine.set(edit)) continue;
             made += 1;
-            if (!exports.tf_draw()) continue;
+            if (!engine.draw()) continue;
             drawn += 1;
             stayed += picture.patch(written());
             const { outerHTML } = shown(written());
@@ -60,7 +48,7 @@ const counts = await page.evaluate(async ([packed, runs]) => {
         }
     }
     return { made, drawn, stayed };
-}, [Buffer.from(bytes()).toString('base64'), runs]);
+}, [here('tracefig-live.wasm.gz').toString('base64'), runs]);
 await browser.close();
 const { made, drawn, stayed } = counts;
 const done = `${each * all.length} edits in Chromium without a trap`;

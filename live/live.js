@@ -36,8 +36,7 @@ class Figure extends Edited {
         const handle = this.info.handles.find(({ at }) => at);
         if (!handle) return;
         const dragged = (frame) => each(handle.value, (value) => value + frame * grainOf(handle));
-        const edits = (frame) => handle.paths.map((path) => [path, dragged(frame)]);
-        Engine.warm(request, this.picture.svg, edits);
+        Engine.warm(request, (frame) => handle.paths.map((path) => [path, dragged(frame)]));
     }
 
     constructor(root, request, alone) {
@@ -142,12 +141,7 @@ class Figure extends Edited {
 
     attemptWanted() {
         this.frame = undefined;
-        const { handle, value } = this.wanted;
-        const { name, panel } = handle;
-        const now = this.info.handles.find((other) => other.name === name && other.panel === panel);
-        // A pointer that moves by less than a step changes nothing, once its value is reached.
-        const isReached = String(now?.value) === String(value);
-        if (!isReached || this.why.textContent) this.attempt(handle, value);
+        this.attempt(this.wanted.handle, this.wanted.value);
     }
 
     // Does something with the module, as soon as it is there. After a trap it is of no use: another one takes
@@ -169,7 +163,9 @@ class Figure extends Edited {
     // Sets a value, or of the way there as much as can be, and says why not all.
     attempt(handle, value) {
         const key = keyOf(handle);
-        const before = this.edits.get(key)?.value ?? this.first.get(key) ?? handle.value;
+        const before = this.valueOf(key) ?? handle.value;
+        // A pointer that moves by less than a step changes nothing, once its value is reached.
+        if (String(value) === String(before) && !this.why.textContent) return;
         let reached = value;
         let why = "";
         if (!this.engine.set(this.pairs(handle, value))) {

@@ -39,12 +39,15 @@ class Engine {
     // Draws frames of a drag that nobody sees, while the page rests: what runs often the browser compiles
     // better, and the first frames that someone sees are as fast as the later ones. `edits` gives those of
     // each frame. One figure of a page does it for all.
-    static async warm(request, svg, edits) {
+    static async warm(request, edits) {
         if (isWarm || !globalThis.requestIdleCallback) return;
         isWarm = true;
         const engine = await Engine.start(request);
-        const picture = new Picture(svg.cloneNode(true));
-        if (!engine.draw() || !picture.begin(engine.svg)) return;
+        if (!engine.draw()) return;
+        const unseen = document.createElement("div");
+        unseen.innerHTML = engine.svg;
+        const picture = new Picture(unseen.firstElementChild);
+        picture.begin(engine.svg);
         let left = WARMING;
         const stop = () => { left = 0; };
         for (const act of ["pointerdown", "keydown"]) addEventListener(act, stop, { once: true });
@@ -100,6 +103,7 @@ const nameAt = (before) => before.slice(before.lastIndexOf(" ") + 1, -1);
 
 // The tag that begins a line of such a text, with its name, its id, and what follows it there.
 const HEAD = /^<([\w:-]+)(?: id="([^"]*)")?[^>]*>/;
+const tagOf = (line) => line.slice(0, line.indexOf(">") + 1);
 const ofText = (rest) => /^[^<]*/.exec(rest)[0];
 
 // A line without so many tags at its end.
@@ -109,19 +113,25 @@ function cut(line, tags) {
     return line.slice(0, end);
 }
 
-// The lines of a text that tracefig wrote, of which each tag that opens an element begins one, and what
-// stands between them: a line break, or as in a book a space.
-const lineEndOf = (text) => text[text.indexOf(">") + 1];
-const linesOf = (text) => text.split(lineEndOf(text) === "\n" ? "\n" : / (?=<)/);
-
-// A text by its lines. An element is named by the line that it begins: `last` has the line in which each
-// ends, and `after` how many that lie around it end there too.
+// A text that tracefig wrote, in lines of which each tag that opens an element begins one. Between them
+// stands a line break, or as in a book a space.
 class Written {
-    constructor(lines, lineEnd) {
-        [this.lines, this.lineEnd, this.last, this.after] = [lines, lineEnd, [], []];
+    constructor(text) {
+        this.lineEnd = text[text.indexOf(">") + 1];
+        this.lines = text.split(this.lineEnd === "\n" ? "\n" : / (?=<)/);
+    }
+
+    // Has the elements of another text where that has them.
+    like({ last, after }) {
+        return Object.assign(this, { last, after });
+    }
+
+    // Finds its elements. Each is named by the line that it begins: `last` has the line in which it ends, and
+    // `after` how many that lie around it end there too.
+    outlined() {
+        [this.last, this.after] = [[], []];
         const open = [];
-        for (let i = 0; i < lines.length; i++) {
-            const line = lines[i];
+        for (const [i, line] of this.lines.entries()) {
             const opens = line[0] === "<" && line[1] !== "/";
             const end = opens ? line.indexOf(">") + 1 : 0;
             if (opens) open.push(i);
@@ -133,6 +143,7 @@ class Written {
                 this.after[element] = closing -= 1;
             }
         }
+        return this;
     }
 
     // The elements in one.
@@ -147,16 +158,15 @@ class Written {
         return kids;
     }
 
-    // The lines of one.
+    // One as it is written.
     of(element) {
-        const lines = this.lines.slice(element, this.last[element] + 1);
-        lines.push(cut(lines.pop(), this.after[element]));
-        return lines;
+        const [last, after] = [this.last[element], this.after[element]];
+        return [...this.lines.slice(element, last), cut(this.lines[last], after)].join(this.lineEnd);
     }
 
     // What is written in it.
     inner(element) {
-        const [text, [tag]] = [this.of(element).join(this.lineEnd), HEAD.exec(this.lines[element])];
+        const [text, tag] = [this.of(element), tagOf(this.lines[element])];
         return tag.endsWith("/>") ? "" : text.slice(tag.length, text.lastIndexOf("</"));
     }
 
@@ -186,7 +196,7 @@ function differences(old, from, now, to) {
         if (i === more) [a, b] = [cut(a, old.after[from]), cut(b, now.after[to])];
         if (a === b) continue;
         if (!isKin(a, b, i > 0)) return undefined;
-        const [was, is] = [a, b].map((line) => line.slice(0, line.indexOf(">") + 1));
+        const [was, is] = [a, b].map(tagOf);
         if (was.endsWith("/>") !== is.endsWith("/>")) return undefined;
         const [before, after] = [a.slice(was.length), b.slice(is.length)];
         const [words, said] = before === after ? ["", ""] : [before, after].map(ofText);
@@ -244,28 +254,27 @@ class Picture {
 
     // Takes what the page shows for the picture of this text; whether it is.
     begin(text) {
-        this.text = new Written(linesOf(text), lineEndOf(text));
+        this.text = new Written(text).outlined();
         this.elements = []; // By the lines that they begin.
-        const count = bind(this.text, this.elements, 0, this.svg);
         const isOurs = (element, line) => isOf(this.text, line, element);
-        return count === this.text.last.reduce((sum) => sum + 1, 0) && this.elements.every(isOurs);
+        return bind(this.text, this.elements, 0, this.svg) && this.elements.every(isOurs);
     }
-
 
     // Shows another text; whether all elements stayed. In most frames they do.
     patch(text) {
-        const lines = linesOf(text);
+        const next = new Written(text);
+        const { lines } = this.text;
         // Another page size moves all that lies over the picture.
-        const isOfSize = lines.length === this.text.lines.length && lines[0] === this.text.lines[0];
-        const differ = isOfSize && differences(this.text, 0, { ...this.text, lines }, 0);
+        const isOfSize = next.lines.length === lines.length && next.lines[0] === lines[0];
+        const differ = isOfSize && differences(this.text, 0, next.like(this.text), 0);
         if (differ) {
             this.redress(differ, 0);
-            this.text.lines = lines;
+            this.text = next;
             return true;
         }
-        const next = { text: new Written(lines, lineEndOf(text)), elements: [] };
-        this.morph(0, next, 0);
-        Object.assign(this, next);
+        const drawn = { text: next.outlined(), elements: [] };
+        this.morph(0, drawn, 0);
+        Object.assign(this, drawn);
         return false;
     }
 
@@ -288,8 +297,7 @@ class Picture {
         }
         const element = this.elements[old];
         next.elements[line] = element;
-        const [was, is] = [this.text.lines[old], next.text.lines[line]].map((text) => HEAD.exec(text)[0]);
-        dress(element, was, is);
+        dress(element, tagOf(this.text.lines[old]), tagOf(next.text.lines[line]));
         const [before, kids] = [this.text.kids(old), next.text.kids(line)];
         const isList = before.length > 0 && kids.length > 0;
         if (isList && this.text.trails(old) === next.text.trails(line)) {
@@ -315,8 +323,7 @@ class Picture {
         }
         const lacking = kids.filter((kid) => !kept.get(kid));
         const made = lacking.length > 0 && document.createElementNS(element.namespaceURI, "g");
-        const wholeOf = ({ line }) => lineEnd + next.text.of(line).join(lineEnd);
-        if (made) made.innerHTML = lacking.map(wholeOf).join("");
+        if (made) made.innerHTML = lacking.map(({ line }) => lineEnd + next.text.of(line)).join("");
         let [before, most] = [undefined, 0];
         for (const kid of kids) {
             const from = kept.get(kid)?.line;
@@ -334,7 +341,7 @@ class Picture {
     }
 }
 
-// Ties an element of a text, and all in it, to those of the page, and says how many those are.
+// Ties an element of a text, and all in it, to those of the page; whether they are as many.
 function bind(text, elements, line, element) {
     const inner = element.getElementsByTagName("*");
     elements[line] = element;
@@ -342,7 +349,7 @@ function bind(text, elements, line, element) {
     for (let i = line + 1; i <= text.last[line]; i++) {
         if (text.last[i] !== undefined) elements[i] = inner[at++];
     }
-    return inner.length + 1;
+    return at === inner.length;
 }
 
 // Whether an element is as a text says, but for those in it.
