@@ -19,6 +19,11 @@ pub(crate) enum Teller {
 /// An event of a run, or a part of one, with which marks come or go.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Cue {
+    // What tells most cues of a figure apart comes first: they are compared in this order.
+    /// Which event of the run, from 0.
+    pub(crate) event: usize,
+    /// Which part of the event, from 0.
+    pub(crate) part: usize,
     /// The moment that the event is about, in [0, 1].
     pub(crate) moment: f64,
     /// Whose event it is.
@@ -27,10 +32,6 @@ pub(crate) struct Cue {
     pub(crate) algorithm: &'static str,
     /// The moment that the run was asked about, in [0, 1].
     pub(crate) asked: f64,
-    /// Which event of the run, from 0.
-    pub(crate) event: usize,
-    /// Which part of the event, from 0.
-    pub(crate) part: usize,
 }
 
 impl Cue {

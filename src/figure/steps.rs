@@ -89,7 +89,7 @@ pub(super) fn numbered(
     for scope in scopes {
         let number = |number: usize| {
             let cue = scope.cue(number)?;
-            told.iter().position(|told| told.cue == cue).map(|i| counted[numbers[i] - 1])
+            told.binary_search_by(|told| told.cue.order(&cue)).ok().map(|i| counted[numbers[i] - 1])
         };
         for item in &mut items[scope.items.clone()] {
             item.for_each_shown(&|shown| {

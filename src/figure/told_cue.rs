@@ -65,7 +65,9 @@ impl Told {
             }
             _ => {
                 let title = taken::title(&run.trace.events, cue.event, voice).unwrap_or(title);
-                let end = told::Search::of(run.events()).end(event, voice);
+                let may_be_the_end = matches!(event, Event::CandidateImproved { .. });
+                let search = || told::Search::of(run.events());
+                let end = may_be_the_end.then(search).and_then(|search| search.end(event, voice));
                 let said = || step::sentence_of_part(event, cue.part, voice);
                 let advanced = || advanced((run, event), (cue, all), voice);
                 tell(title, end.or_else(advanced).unwrap_or_else(said))

@@ -30,7 +30,7 @@ impl Cues {
 
     /// The number of a cue: 2 for the first one, as 1 is what was there before.
     fn number(&mut self, cue: Cue) -> usize {
-        let known = self.known.iter().position(|&other| other == cue);
+        let known = self.known.iter().rposition(|&other| other == cue);
         let index = known.unwrap_or(self.known.len());
         if known.is_none() {
             self.known.push(cue);

@@ -9,13 +9,12 @@ use crate::trace::Event;
 /// B". `None` of another event.
 pub(crate) fn title(events: &[Event], index: usize, voice: Voice) -> Option<String> {
     let is_choice = |event: &&Event| matches!(event, Event::EdgesMerged { .. });
-    let choice = events[..=index].iter().rposition(|event| is_choice(&event))?;
     // A merge tells the edge right after it took that.
+    let choice = (index.saturating_sub(1)..=index).rfind(|&i| is_choice(&&events[i]))?;
     let Some(Event::DifferenceEdgeFound { source, edge, .. }) = events.get(choice + 1) else { return None };
     let place = events[..=choice].iter().filter(is_choice).count();
     let voice = voice.in_short();
-    (index <= choice + 1)
-        .then(|| voice.say(&TAKEN, &[&place.to_string(), &edge.to_string(), &voice.of(*source)]))
+    Some(voice.say(&TAKEN, &[&place.to_string(), &edge.to_string(), &voice.of(*source)]))
 }
 
 #[cfg(test)]
