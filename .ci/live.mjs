@@ -68,7 +68,8 @@ async function opened(file, about, options = {}, hash = "") {
         const drawn = (globalThis.drawn = { ms: [] });
         document.addEventListener("tracefig", ({ detail }) => {
             drawn.ms.push(detail.ms.all);
-            Object.assign(drawn, { answer: detail.answer, sentence: detail.sentence });
+            const { answer, sentence, handles } = detail;
+            Object.assign(drawn, { answer, sentence, handles });
         });
     });
     return { page, ready, drawn };
@@ -205,11 +206,17 @@ async function figure(stem) {
         if (told.join() !== "0,") fail(stem, `a time before the first gives ${told}`);
         await page.waitForTimeout(SAID);
     }
-    const stops = await page.evaluate(() => {
-        const hidden = document.querySelectorAll(".knob[aria-hidden]");
-        return Array.from(hidden).filter(({ tabIndex }) => tabIndex >= 0).length;
+    const reach = await page.evaluate(() => {
+        const drawn = (globalThis.drawn.handles ?? []).filter(({ at }) => at);
+        const values = new Set(drawn.map(({ paths }) => JSON.stringify(paths))).size;
+        const knobs = [...document.querySelectorAll(".knob:not(.gone)")];
+        const stops = (some) => some.filter(({ tabIndex }) => tabIndex >= 0).length;
+        const unnamed = stops(knobs.filter((knob) => knob.ariaHidden));
+        return { handles: drawn.length, knobs: knobs.length, values, stops: stops(knobs), unnamed };
     });
-    if (stops > 0) fail(stem, `${stops} handles without a name are stops of the keyboard`);
+    if (reach.unnamed > 0) fail(stem, `${reach.unnamed} handles without a name are stops of the keyboard`);
+    if (reach.knobs !== reach.handles) fail(stem, `has ${reach.knobs} knobs of ${reach.handles} handles`);
+    if (reach.stops !== reach.values) fail(stem, `the keyboard reaches ${reach.stops} of ${reach.values} values`);
     const heard = await page.evaluate(() => [document.querySelector(".say").lang, document.documentElement.lang]);
     const told = ["de", "fr", "es"].includes(heard[1]) ? heard[1] : "en";
     if (heard[0] !== told) fail(stem, `a page in ${heard[1]} is heard in ${heard[0]}`);

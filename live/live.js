@@ -308,8 +308,9 @@ class Figure extends Edited {
 
     // ---- Handles
 
+    // The vertices of a box share the name of what they set.
     knob(handle) {
-        const key = `${handle.panel} ${handle.name}`;
+        const key = `${handle.panel} ${handle.vertex} ${handle.name}`;
         if (!this.knobs.has(key)) this.knobs.set(key, new Knob(this, handle));
         return this.knobs.get(key);
     }

@@ -190,6 +190,7 @@ impl Handle {
             "value": self.value.json(),
             "range": self.range.map(Setting::json),
             "panel": self.panel,
+            "vertex": self.vertex,
             "at": [self.at.x, self.at.y],
             "pull": pull,
         })
