@@ -38,7 +38,7 @@ pub(crate) fn of_one_scale(a: &Body, b: &Body, over_the_motion: bool) -> Result<
     let sizes = [a, b].into_iter().flat_map(edges).chain(radii);
     let least = sizes.filter(|&x| x > 0.0).fold(f64::INFINITY, f64::min);
     // Halves of the exponent each, as the ratio itself may overflow.
-    let is_near = least == f64::INFINITY || libm::sqrt(largest) / libm::sqrt(least) <= libm::sqrt(MAX_RATIO);
+    let is_near = least == f64::INFINITY || largest.sqrt() / least.sqrt() <= MAX_RATIO.sqrt();
     if is_near { Ok(()) } else { Err([least, largest]) }
 }
 

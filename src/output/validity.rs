@@ -20,7 +20,7 @@ pub(super) fn image_size(drawing: &Drawing, options: &Options) -> Result<(u32, u
     if w * h > MOST_PIXELS {
         // In hundredths, rounded down, and one less where the sides' own rounding makes that too large.
         let fits = |scale: f64| (width * scale).round() * (height * scale).round() <= MOST_PIXELS;
-        let down = (libm::sqrt(MOST_PIXELS / (width * height)) * 100.0).floor();
+        let down = ((MOST_PIXELS / (width * height)).sqrt() * 100.0).floor();
         let largest = if fits(down / 100.0) { down / 100.0 } else { (down - 1.0) / 100.0 };
         return Err(OutputError::TooLarge { scale, largest });
     }

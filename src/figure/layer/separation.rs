@@ -365,7 +365,7 @@ mod tests {
     #[test]
     fn an_offset_shrinks_with_a_small_page() {
         // Lines shrink with the root of the page: a third of it has lines of 0.577.
-        let small = 16.0 * libm::sqrt(1.0 / 3.0);
+        let small = 16.0 * (1.0_f64 / 3.0).sqrt();
         for (size, expected) in [("width = 960", 16.0), ("width = 320\nheight = 180", small)] {
             let scene = open_text("s.toml", &format!("{SCENE}{size}")).unwrap().scene;
             let plan = plan(&scene).unwrap();

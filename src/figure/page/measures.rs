@@ -86,7 +86,7 @@ impl Measures {
             }
             None => (wide, width / NARROW),
         };
-        let unit = libm::sqrt(unit.min(1.0));
+        let unit = unit.min(1.0).sqrt();
         let letters = canvas.text.map_or(unit, |size| size / text.of(TextKind::Caption));
         let most = MARGIN_SHARE * width.min(height.unwrap_or(width));
         let margin = canvas.margin.map(|margin| margin.min(most));
@@ -159,7 +159,7 @@ impl Measures {
 
     /// From a title's baseline down to its panel, page pixels.
     pub(super) fn title_drop(&self) -> f64 {
-        TITLE_DROP * libm::sqrt(self.grown(TextKind::Title))
+        TITLE_DROP * self.grown(TextKind::Title).sqrt()
     }
 
     /// Room below the panels for a caption of `lines` lines and the margin, page pixels.

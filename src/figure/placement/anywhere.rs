@@ -40,7 +40,7 @@ fn field(things: &Things, size: (f64, f64), panel: &Rect, w: &Weights) -> Vec<Ca
     let room =
         Rect { x0: panel.x0 + half.0, y0: panel.y0 + half.1, x1: panel.x1 - half.0, y1: panel.y1 - half.1 };
     let Some(field) = room.intersection(reach) else { return Vec::new() };
-    let step = w.search.field_step.max(libm::sqrt(field.width() * field.height() / MOST));
+    let step = w.search.field_step.max((field.width() * field.height() / MOST).sqrt());
     let mut all = Vec::new();
     for x in steps(field.x0, field.x1, step) {
         for y in steps(field.y0, field.y1, step) {

@@ -187,6 +187,8 @@ struct Standing {
     loose: bool,
     /// The room that it kept.
     room: Reserve,
+    /// Since how many frames it stands badly, as it would wherever it went; 0 where it stands well.
+    stuck: usize,
 }
 
 /// A label at its place.

@@ -5,6 +5,10 @@ use super::solve::{Ground, Old, searched};
 use super::weights::{TUNED, Weights};
 use super::{Labelled, Sought};
 
+/// In how many frames a label that stands badly wherever it goes stays where it is, before all is tried
+/// again, which takes as long as several frames.
+const PATIENCE: usize = 8;
+
 /// Places the labels of a panel.
 pub(crate) fn place(sought: &[Sought], ground: &Ground) -> Labelled {
     place_by(&TUNED, sought, ground)
@@ -22,6 +26,17 @@ pub(super) fn place_by(weights: &Weights, sought: &[Sought], ground: &Ground) ->
     // A scene pins by keys.
     let was_loose = |label: &Sought| before.placed.iter().any(|p| p.standing.loose && p.key == label.key);
     let mut sought = loosened(sought, &was_loose);
+    let stuck = |key: &str| {
+        before.placed.iter().filter(|p| p.key == key).map(|p| p.standing.stuck).max().unwrap_or(0)
+    };
+    let waits = |key: &str| (1..PATIENCE).contains(&stuck(key));
+    if sought.iter().any(|label| waits(label.key)) {
+        let old = |label: &Sought| if waits(label.key) { Old::Kept } else { Old::Comfortable };
+        let kept = marked(searched(weights, &sought, ground, &old), &|key| stuck(key) + 1);
+        if kept.placed.iter().all(|p| p.standing.stuck == 0 || waits(p.key)) {
+            return kept;
+        }
+    }
     let mut best = searched(weights, &sought, ground, &resting);
     let mut wrong = faults(&best);
     for all in [false, true] {
@@ -40,7 +55,17 @@ pub(super) fn place_by(weights: &Weights, sought: &[Sought], ground: &Ground) ->
     }
     let old = |label: &Sought| if stands_badly(label, &wrong) { Old::Kept } else { Old::Comfortable };
     let kept = searched(weights, &sought, ground, &old);
-    if faults(&kept).len() <= wrong.len() { kept } else { best }
+    marked(if faults(&kept).len() <= wrong.len() { kept } else { best }, &|_| 1)
+}
+
+/// Notes of the labels at fault since when they are.
+fn marked(mut labelled: Labelled, since: &dyn Fn(&str) -> usize) -> Labelled {
+    let wrong = faults(&labelled);
+    for label in &mut labelled.placed {
+        let is_wrong = wrong.iter().any(|fault| fault.is_of(label.key, &label.span));
+        label.standing.stuck = if is_wrong { since(label.key) } else { 0 };
+    }
+    labelled
 }
 
 /// Whether a label is at fault, alone or with another one.
@@ -56,6 +81,7 @@ fn loosened(sought: &[Sought], which: &dyn Fn(&Sought) -> bool) -> Vec<Sought> {
 
 #[cfg(test)]
 mod tests {
+    use super::PATIENCE;
     use crate::figure::{Figure, draw_after, plan};
     use crate::scene::open_text;
 
@@ -97,5 +123,36 @@ mod tests {
         let after = near(5.0, Some(&moving));
         assert_eq!(side(&after), side(&moving));
         assert_eq!(side(&near(5.0, None)), (true, true), "at rest it is where the scene pins it");
+    }
+
+    /// EPA with B there, in which the depth's label stands badly wherever it goes.
+    fn deep(x: f64, before: Option<&Figure>) -> Figure {
+        let scene = include_str!("../../../figures/epa-steps.toml");
+        let text = scene.replace("[query]", &format!("position = [{x}, -0.23]\n[query]"));
+        let scene = open_text("s.toml", &text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        draw_after(&plan, plan.theme, "s", before)
+    }
+
+    #[test]
+    fn a_label_that_stands_badly_wherever_it_goes_is_tried_again_after_some_frames() {
+        let mut since = Vec::new();
+        let mut before: Option<Figure> = None;
+        for x in (0..20).map(|k| 0.66 + 0.001 * f64::from(k)) {
+            let figure = deep(x, before.as_ref());
+            let depth = |figure: &Figure| figure.panels[0].placed.iter().find(|p| p.key == "d").cloned();
+            let now = depth(&figure).unwrap();
+            let is_wrong = figure.faults().iter().any(|fault| fault.is_of(now.key, &now.span));
+            assert_eq!(is_wrong && before.is_some(), now.standing.stuck > 0, "{x}: {:?}", figure.faults());
+            if (2..=PATIENCE).contains(&now.standing.stuck) {
+                let was = before.as_ref().and_then(depth).unwrap();
+                let slid = (now.bounds.center() - was.bounds.center()).length();
+                assert!(slid < 3.0, "{x}: by {slid} px");
+            }
+            since.push(now.standing.stuck);
+            before = Some(figure);
+        }
+        let again = |k: usize| if k == 0 { 0 } else { 1 + (k - 1) % PATIENCE };
+        assert_eq!(since, (0..20).map(again).collect::<Vec<_>>());
     }
 }

@@ -99,14 +99,14 @@ fn room_at(p: Point, area: &Polyline, avoid: &[&Polyline], panel: &Rect) -> f64 
 
 /// The distance of a point from a line.
 fn distance(line: &Polyline, p: Point) -> f64 {
-    libm::sqrt(line.square_within(p, f64::INFINITY))
+    line.square_within(p, f64::INFINITY).sqrt()
 }
 
 /// The distance of a point from a line, or `most` where that is less.
 fn distance_within(line: &Polyline, p: Point, most: f64) -> f64 {
     let square = if most > 0.0 { most * most } else { return most };
     let least = line.square_within(p, square);
-    if least < square { libm::sqrt(least) } else { most }
+    if least < square { least.sqrt() } else { most }
 }
 
 #[cfg(test)]

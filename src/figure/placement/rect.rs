@@ -38,12 +38,12 @@ fn clip(from: Point, to: Point, rect: &Rect) -> Option<f64> {
 
 /// Distance of a point from a rectangle; 0 inside.
 pub(super) fn distance_to(rect: &Rect, p: Point) -> f64 {
-    libm::sqrt((p - nearest_in(rect, p)).square())
+    (p - nearest_in(rect, p)).square().sqrt()
 }
 
 /// Distance of two rectangles; 0 where they touch.
 pub(super) fn rect_distance(a: &Rect, b: &Rect) -> f64 {
-    libm::sqrt(rect_square(a, b))
+    rect_square(a, b).sqrt()
 }
 
 /// The square of the distance of two rectangles; 0 where they touch.
@@ -55,7 +55,7 @@ pub(super) fn rect_square(a: &Rect, b: &Rect) -> f64 {
 
 /// Distance of a segment from a rectangle; 0 where they touch.
 pub(super) fn segment_distance(rect: &Rect, from: Point, to: Point) -> f64 {
-    libm::sqrt(segment_square(rect, from, to))
+    segment_square(rect, from, to).sqrt()
 }
 
 /// The square of the distance of a segment from a rectangle; 0 where they touch.

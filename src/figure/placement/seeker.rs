@@ -104,7 +104,7 @@ impl<'s> Seeker<'s> {
             .map(|line| if bounds == candidate.rect { line } else { line.until(&bounds, &weights.places) });
         let (thing, span) = (self.things.own.clone(), sought.span.clone());
         let Candidate { folds, reluctance, .. } = *candidate;
-        let standing = Standing { folds, reluctance, cost, loose: sought.loose, room: sought.room };
+        let standing = Standing { folds, reluctance, cost, loose: sought.loose, room: sought.room, stuck: 0 };
         Placed { key, role, lines, bounds, leader, thing, part, home, shown, standing, span }
     }
 }

@@ -234,7 +234,7 @@ impl Thing {
         if let [only] = *self.line.points() {
             return (distance_to(rect, only) - self.clear).max(0.0);
         }
-        libm::sqrt(self.line.square_from(rect, f64::INFINITY))
+        self.line.square_from(rect, f64::INFINITY).sqrt()
     }
 
     /// Whether a box is farther from it than a length in page pixels.

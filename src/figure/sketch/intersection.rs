@@ -151,7 +151,7 @@ impl Span {
             (Self::Line(p, q), Self::Arc(center, radius, ..)) => {
                 let (u, off) = (q - p, p - center);
                 let (a, b, c) = (u.length_squared(), off.dot(u), off.length_squared() - radius * radius);
-                let root = libm::sqrt(b * b - a * c);
+                let root = (b * b - a * c).sqrt();
                 [(-b - root) / a, (-b + root) / a].into_iter().filter(|share| share.is_finite()).collect()
             }
             (Self::Arc(center, ..), Self::Line(p, q)) => {
@@ -161,7 +161,7 @@ impl Span {
             (Self::Arc(center, radius, ..), Self::Arc(other, reach, ..)) => {
                 let (u, apart) = (other - center, (other - center).length());
                 let along = (apart * apart + radius * radius - reach * reach) / (2.0 * apart);
-                let aside = libm::sqrt(radius * radius - along * along);
+                let aside = (radius * radius - along * along).sqrt();
                 let n = u / apart;
                 let points = [aside, -aside].map(|aside| along * n + aside * n.perp());
                 points.into_iter().filter(|p| p.is_finite()).map(|p| self.share_of(p)).collect()

@@ -54,7 +54,7 @@ fn shown(place: Place) -> Option<Color> {
 
 /// What the way to a place costs, squared.
 fn cost(from: Place, to: Place) -> f64 {
-    let chroma = |p: Place| libm::sqrt(p.a * p.a + p.b * p.b);
+    let chroma = |p: Place| (p.a * p.a + p.b * p.b).sqrt();
     let (dl, da, db) = (to.l - from.l, to.a - from.a, to.b - from.b);
     let dc = chroma(to) - chroma(from);
     let dh = (da * da + db * db - dc * dc).max(0.0);

@@ -173,7 +173,7 @@ fn a_body_reaches_from_its_origin_to_its_farthest_point() {
     let layer = "{ layer = 'radii', as = 'reach', of = ['A', 'B'] }";
     let figure = figure("", "linear-sweep", layer);
     let scale = figure.panels[0].frame.scale;
-    for (key, part, reach) in [("r1", "reach-A", libm::sqrt(2.0)), ("r2", "reach-B", 1.0)] {
+    for (key, part, reach) in [("r1", "reach-A", 2.0_f64.sqrt()), ("r2", "reach-B", 1.0)] {
         assert!((labels(&figure)[key].1 - reach).abs() < 0.005);
         assert!((lines(&figure, part)[0] / scale - reach).abs() < 1e-9);
     }

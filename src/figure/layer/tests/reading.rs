@@ -166,7 +166,7 @@ fn the_emphasised_features_are_those_of_the_answer_or_those_named() {
     let bounds = paths(&figure.drawing.items, "feature-A")[0].contour.bounds().unwrap();
     assert_eq!(bounds.x0, bounds.x1);
     let separation = (bounds.x0 - frame.page(DVec2::ZERO).x) / frame.scale;
-    let corner = 2.0 - libm::sqrt(3.0) / 2.0 - 0.25;
+    let corner = 2.0 - 3.0_f64.sqrt() / 2.0 - 0.25;
     assert!((separation - (corner + 1.0)).abs() < 1e-12, "{separation}");
     let (figure, requests) =
         drawn(BODIES, "layers = [{ layer = 'feature', of = 'B', edge = [0, 2], vertex = 1 }]");

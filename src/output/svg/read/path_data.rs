@@ -132,8 +132,8 @@ impl Pen {
             return self.to(to, Segment::Line);
         }
         let radius = radius.max(half);
-        let off = libm::sqrt((radius - half) * (radius + half)) / half
-            * if large == clockwise { -1.0 } else { 1.0 };
+        let off =
+            ((radius - half) * (radius + half)).sqrt() / half * if large == clockwise { -1.0 } else { 1.0 };
         let center = [self.at[0] + dx - off * dy, self.at[1] + dy + off * dx];
         let angle = |p: [f64; 2]| libm::atan2(p[1] - center[1], p[0] - center[0]);
         let start = angle(self.at);
