@@ -179,6 +179,44 @@ async function narrow(browser, file, fail, about) {
     await page.close();
 }
 
+// Sizes of a small body that has turned: keys to the right and up make them more, a drag through the middle makes a
+// radius less and not more again, and a number that can't be leaves all as it was.
+async function sizes(browser, file, fail, about) {
+    const page = await opened(browser, file, fail, about);
+    await page.waitForTimeout(SAID);
+    await page.click(".numbers-of summary");
+    const values = async () => (await state(page))[0].values.split(",").map(Number);
+    const [angle, radius, width, height] = await values();
+    const pressed = async (name, key) => {
+        await page.focus(`.knob[role=slider][aria-label="${name} of chip"]`);
+        await page.keyboard.press(key);
+        await frame(page);
+        await frame(page);
+        return values();
+    };
+    const same = (a, b) => a.length === b.length && a.every((v, i) => Math.abs(v - b[i]) < 1e-12);
+    for (const [key, wanted] of [["ArrowRight", [width + 0.001, height]], ["ArrowUp", [width + 0.001, height + 0.001]]]) {
+        const now = await pressed("half-extents", key);
+        if (!same(now.slice(2), wanted)) fail(about, `${key} gives half-extents of ${now.slice(2)}`);
+    }
+    const less = await pressed("radius", "ArrowLeft");
+    if (!same(less, [angle, radius - 0.001, width + 0.001, height + 0.001])) fail(about, `ArrowLeft gives ${less}`);
+    await pull(page, await page.$('.knob.radius[role=slider]'), [-60, -60]);
+    await page.mouse.up();
+    await page.waitForTimeout(SAID);
+    const through = (await values())[1];
+    if (!(through < radius)) fail(about, `dragged through the corner the radius is ${through}`);
+    const before = await state(page);
+    await page.locator(".numbers input").nth(2).fill("-1");
+    await page.keyboard.press("Enter");
+    await page.waitForTimeout(SAID);
+    const [after] = await state(page);
+    if (after.picture !== before[0].picture || !after.why) fail(about, `a width of -1 gives ${after.values}`);
+    const heard = await page.getAttribute(".knob.angle", "aria-valuetext");
+    if (heard !== `${angle}°`) fail(about, `an angle is heard as ${heard}`);
+    await page.close();
+}
+
 // Looks at the edges of some pages that share the module in `site`; at `alone` are two pages with all they need, and
 // `columns` are pages whose scenes ask for columns.
 export async function edges({ browser, site, work, fail, stems, columns, alone }) {
@@ -194,5 +232,6 @@ export async function edges({ browser, site, work, fail, stems, columns, alone }
         await voice(browser, shared(stem), fail, `${stem}, heard`);
         await away(browser, shared(stem), fail, `${stem}, far away`);
     }
+    await sizes(browser, shared("small-and-turned"), fail, "sizes of a small body");
     for (const stem of columns) await narrow(browser, shared(stem), fail, `${stem}, narrow`);
 }

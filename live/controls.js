@@ -16,6 +16,7 @@ function button(words, act, attributes = {}) {
 
 const sign = (shape) => make("span", { "aria-hidden": "true" }, shape);
 
+const NEARLY = 0.999; // Of two axes at the same angle to a key the left and right keys have the first one.
 const WAYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 
 class Knob {
@@ -44,7 +45,7 @@ class Knob {
         const { name, value, range: [lo, hi] } = handle;
         const first = (numbers) => [numbers].flat()[0];
         const heard = {
-            role: "slider", "aria-label": name, "aria-valuetext": this.figure.inWords(value),
+            role: "slider", "aria-label": name, "aria-valuetext": this.figure.inWords(value) + unitOf(handle),
             "aria-valuenow": first(value), "aria-valuemin": first(lo), "aria-valuemax": first(hi),
         };
         this.wear("transform", `translate(${x} ${y})`);
@@ -116,9 +117,12 @@ class Knob {
         const step = (this.figure.snap(this.handle) || stepOf(this.handle)) * share;
         const round = (v) => Number(v.toPrecision(12));
         if (!plane) return round(value + (x - y) * step);
-        const way = value.map((_, i) => plane[0][i] * x + plane[1][i] * y);
-        const length = Math.hypot(...way);
-        return value.map((v, i) => round(v + (way[i] / length) * step));
+        // Half-extents grow to the right and up, wherever the box has turned. Of a body that has turned the
+        // vertices move along that of its own axes which leads there most.
+        const way = isSize(this.handle) ? [x, -y] : value.map((_, i) => plane[0][i] * x + plane[1][i] * y);
+        const [a, b] = way.map((v) => Math.abs(v));
+        const most = (y === 0 ? a >= NEARLY * b : b < NEARLY * a) ? 0 : 1;
+        return value.map((v, i) => (i === most ? round(v + Math.sign(way[i]) * step) : v));
     }
 }
 
@@ -126,7 +130,9 @@ class Knob {
 class Row {
     constructor(figure, handle) {
         this.figure = figure;
-        const name = handle.grip === "time" ? figure.word("time") : handle.name;
+        const unit = unitOf(handle).trim();
+        const plain = handle.grip === "time" ? figure.word("time") : handle.name;
+        const name = unit ? `${plain} (${unit})` : plain;
         const words = Array.isArray(handle.value) ? ["x", "y"] : [""];
         const field = (word) => make("input", {
             type: "number", step: figure.snap(handle) || "any", inputmode: "decimal",
@@ -142,7 +148,7 @@ class Row {
             }
             const value = words.length > 1 ? numbers : numbers[0];
             const asked = handle.grip === "time" ? within(value, handle) : value;
-            figure.alive(() => figure.attempt(handle, asked));
+            figure.alive(() => figure.attempt(handle, asked, 0));
             figure.settle();
         };
         for (const field of this.fields) {

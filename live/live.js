@@ -160,8 +160,8 @@ class Figure extends Edited {
         }
     }
 
-    // Sets a value, or of the way there as much as can be, and says why not all.
-    attempt(handle, value) {
+    // Sets a value, or of the way there as much as can be, and says why not all; what is typed is set or not.
+    attempt(handle, value, tries = TRIES) {
         const key = keyOf(handle);
         const before = this.valueOf(key) ?? handle.value;
         // A pointer that moves by less than a step changes nothing, once its value is reached.
@@ -172,7 +172,7 @@ class Figure extends Edited {
             why = this.engine.info.error;
             let [good, bad] = [0, 1];
             reached = before;
-            for (let i = 0; i < TRIES; i++) {
+            for (let i = 0; i < tries; i++) {
                 const middle = (good + bad) / 2;
                 const there = short(between(before, value, middle), handle);
                 if (this.engine.set(this.pairs(handle, there))) [good, reached] = [middle, there];

@@ -4,7 +4,12 @@
 function followed({ value, at: [px, py], pull: { plane, turn, reach, unit } }, [x, y]) {
     if (plane) return value.map((v, i) => v + plane[0][i] * (x - px) + plane[1][i] * (y - py));
     const [cx, cy] = turn ?? reach;
-    if (reach) return value + unit * (Math.hypot(x - cx, y - cy) - Math.hypot(px - cx, py - cy));
+    const far = Math.hypot(px - cx, py - cy);
+    if (reach) {
+        // Along its own way: past the middle a radius does not grow again.
+        const along = ((x - px) * (px - cx) + (y - py) * (py - cy)) / far;
+        return value + unit * (far > 0 ? along : Math.hypot(x - cx, y - cy));
+    }
     const by = Math.atan2(y - cy, x - cx) - Math.atan2(py - cy, px - cx);
     return value + unit * Math.atan2(Math.sin(by), Math.cos(by));
 }
@@ -28,6 +33,12 @@ function stepOf(handle, snap) {
 const each = (value, change) => (Array.isArray(value) ? value.map(change) : change(value));
 const snapped = (value, step, round = Math.round) =>
     each(value, (v) => Number((round(v / step) * step).toPrecision(12)));
+
+// Whether a pair is no place: half-extents, which have no number of a vertex behind them.
+const isSize = ({ grip, paths: [path] }) => grip === "vertices" && typeof path.at(-1) === "string";
+
+// The unit of a value, as it is written behind it.
+const unitOf = ({ paths: [path] }) => ({ angle_deg: "°", angle_rad: " rad" })[path.at(-1)] ?? "";
 
 // The last digit that anyone can see of a value: to a quarter of a pixel.
 const grid = (handle) => 10 ** Math.floor(Math.log10(grainOf(handle) / 4));

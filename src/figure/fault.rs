@@ -57,6 +57,11 @@ pub enum Fault {
         /// Its name.
         name: String,
     },
+    /// A note: all that a layer draws lies beside what its panel shows.
+    LayerOutOfView {
+        /// The name of the layer.
+        layer: &'static str,
+    },
     /// A note: the figure was to play, and none of its panels does.
     NothingPlays {
         /// What the case is, as "no body moves".
@@ -202,6 +207,7 @@ impl Fault {
             | Self::StillText { .. }
             | Self::NoStepLeft { .. }
             | Self::OutOfView { .. }
+            | Self::LayerOutOfView { .. }
             | Self::BadName { .. }
             | Self::NoValue { .. } => Severity::Note,
             Self::NoLayers
@@ -226,7 +232,7 @@ impl Explain for Fault {
             | Self::NoValue { .. } => codes::NOT_IN_ANSWER.code,
             Self::NothingPlays { .. } | Self::StillText { .. } => codes::NOTHING_PLAYS.code,
             Self::NoStepLeft { .. } => codes::NO_STEP_LEFT.code,
-            Self::OutOfView { .. } => codes::OUT_OF_VIEW.code,
+            Self::OutOfView { .. } | Self::LayerOutOfView { .. } => codes::OUT_OF_VIEW.code,
             Self::NoLayers => codes::NO_LAYERS.code,
             Self::EmptyView { .. } => codes::EMPTY_VIEW.code,
             Self::UnsuitedLayer { .. } => codes::UNSUITED_LAYER.code,
@@ -273,7 +279,8 @@ impl Explain for Fault {
                  dollar"
                     .to_owned(),
             ),
-            note => note.betters(),
+            note if NOTES => note.betters(),
+            _ => None,
         }
     }
 }

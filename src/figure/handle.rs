@@ -8,7 +8,7 @@
 //! ```text
 //! plane   value + M (p − q)
 //! turn    value + u (∠(p − c) − ∠(q − c))        angles as the page's, y down
-//! reach   value + u (|p − c| − |q − c|)
+//! reach   value + u (p − q) · (q − c) / |q − c|
 //! ```
 //!
 //! A frame later q is where the handle then is, so that what was only nearly linear comes right.
@@ -105,7 +105,7 @@ pub(crate) enum Follows {
     Reach(DVec2),
 }
 
-/// The nearest that a length comes to 0 by dragging: a body of no size is none.
+/// The nearest that a length comes to 0 by dragging, where a page pixel is more: a body of no size is none.
 pub(crate) const LEAST: f64 = 0.01;
 
 impl Hold {
@@ -135,12 +135,14 @@ impl Hold {
     /// The values at which the handle lies within the panel.
     fn range(&self, frame: &Frame, at: Point, pull: Pull) -> [Setting; 2] {
         let seen = frame.panel;
+        // A pixel is no size either, in a world of bodies that are smaller.
+        let least = self.least.min(1.0 / frame.scale);
         match (self.value, pull) {
             (Setting::Pair(value), Pull::Plane([right, down])) => {
                 let vertices =
                     [(seen.x0, seen.y0), (seen.x1, seen.y0), (seen.x1, seen.y1), (seen.x0, seen.y1)];
                 let values = vertices.map(|(x, y)| value + right * (x - at.x) + down * (y - at.y));
-                let lo = values.into_iter().fold(value, DVec2::min).max(value.min(DVec2::splat(self.least)));
+                let lo = values.into_iter().fold(value, DVec2::min).max(value.min(DVec2::splat(least)));
                 [lo, values.into_iter().fold(value, DVec2::max)].map(Setting::Pair)
             }
             (Setting::Number(value), Pull::Turn { unit, .. }) => {
@@ -149,7 +151,7 @@ impl Hold {
             }
             (Setting::Number(value), Pull::Reach { unit, .. }) => {
                 let most = 0.5 * seen.width().max(seen.height()) * unit;
-                [self.least.min(value), most.max(value)].map(Setting::Number)
+                [least.min(value), most.max(value)].map(Setting::Number)
             }
             (value, _) => [value, value],
         }

@@ -38,6 +38,7 @@ mod name;
 mod narrow;
 mod off_page;
 mod out_of_view;
+
 mod page;
 mod panel;
 mod placement;
@@ -64,6 +65,7 @@ mod told_cue;
 mod tongue;
 mod touching;
 mod unnamed;
+mod unseen_layer;
 mod view;
 mod whole;
 

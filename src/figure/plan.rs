@@ -28,6 +28,7 @@ use super::runs::Runs;
 use super::sketch::{Size, Sketched};
 use super::text::{Across, Block, Wording, across, caption_of_words, check_texts, spoken};
 use super::theme::{self, Theme};
+use super::unseen_layer::unseen_layers;
 use super::whole::of_the_whole;
 use super::{narrow, view};
 
@@ -174,6 +175,7 @@ fn resolve<'s>(
         let fitted = fitted.and_then(|()| fit((scene, &runs), theme, &mut layout, &mut panels));
         let said = fitted.and_then(|(sketched, fitted)| {
             warnings.extend(empty_views(&panels, &sketched));
+            warnings.extend(unseen_layers(scene, &panels, &sketched));
             let in_look = (scene, theme, &layout.measures);
             let said = say(in_look, &runs, &panels, &sketched, (&mut problems, &mut warnings));
             said.map(|sought| page = Some((fitted, Kept::of(sketched, sought))))

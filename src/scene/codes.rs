@@ -60,7 +60,8 @@ codes! {
     BAD_NAME = "bad-name",
         "note: a name has a letter that the fonts lack, so that the picture has another one";
     CAPTION_DROPPED = "caption-dropped", "warning: a text has more lines than the page has room for";
-    OUT_OF_VIEW = "out-of-view", "note: a body that the query is not about is far from those it is about";
+    OUT_OF_VIEW = "out-of-view",
+        "note: a body that the query is not about is far from those it is about, or a layer beside the view";
     OFF_PAGE = "off-page", "a panel shows places so far outside that no page reaches there";
     LABEL_CLASH = "label-clash", "warning: a label found no free place";
     INTERNAL = "internal", "a bug of tracefig";

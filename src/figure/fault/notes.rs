@@ -35,6 +35,9 @@ impl Fault {
             Self::OutOfView { name } => {
                 write!(f, "`{name}` is not on the picture: it is far from the bodies of the query")
             }
+            Self::LayerOutOfView { layer } => {
+                write!(f, "what `{layer}` draws lies beside the panel's `view`")
+            }
             Self::NoLayers => f.write_str("the panel stays empty: its list of layers has none"),
             Self::SharedChart { layer } => {
                 write!(f, "`{layer}` has axes of its own, and its lines run through the other layers")
@@ -70,7 +73,7 @@ impl Fault {
             Self::NothingPlays { .. } => Some("it is drawn as it stands".to_owned()),
             Self::StillText { .. } => Some("the `caption` or `title` of a panel plays".to_owned()),
             Self::NoStepLeft { .. } => Some("`until` counts the figure's own steps, from 1".to_owned()),
-            Self::OutOfView { .. } => {
+            Self::OutOfView { .. } | Self::LayerOutOfView { .. } => {
                 Some("a panel's `view = [x0, y0, x1, y1]` reaches as far as it says".to_owned())
             }
             Self::TextDropped { .. } => Some(

@@ -31,7 +31,7 @@ pub(super) const LAYER: Layer = Layer {
     ],
     needs: "a question for the first contact",
     fed: |context, _| match context.closest() {
-        Some(closest) if !can_be_seen(context, &closest) => Fed::NotHere(ANOTHER_DIFFERENCE),
+        Some(closest) if !can_be_seen(context, &closest) => Fed::not_here(ANOTHER_DIFFERENCE),
         closest => Fed::by_the_answer(closest.is_some(), context.asks_for_a_hit()),
     },
     draw,

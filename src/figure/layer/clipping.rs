@@ -75,7 +75,7 @@ fn fed(context: &Context, options: &Options) -> Fed {
             let ever = context.scene.query.algorithm.kinds.contains(&crate::collision::QueryKind::Contact);
             Fed::by_the_answer(false, ever)
         }
-        None if !options.shows("show", "depths", true) => Fed::NotHere(NOT_CLIPPED),
+        None if !options.shows("show", "depths", true) => Fed::not_here(NOT_CLIPPED),
         None => match PARTS[..3].iter().find(asked) {
             Some(option) => Fed::Without { option, why: NOT_CLIPPED },
             None => Fed::Yes,

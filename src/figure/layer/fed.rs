@@ -31,6 +31,11 @@ pub(crate) enum Fed {
 }
 
 impl Fed {
+    /// The answer lacks it for this reason, which no page tells.
+    pub(super) fn not_here(why: &'static str) -> Self {
+        Self::NotHere(if NOTES { why } else { "" })
+    }
+
     /// What is drawn at one moment only: a `path` that is asked for has no way to draw.
     pub(super) fn at_one_moment(self, options: &Options) -> Self {
         match self {
@@ -60,7 +65,7 @@ impl Fed {
     pub(super) fn by_a_moment(found: bool, context: &Context, when: Option<When>) -> Self {
         match (&context.run().answer, when) {
             (Answer::Impact(impact), Some(When::Bound)) if !found && impact.outcome == Outcome::Miss => {
-                Self::NotHere("the start alone proves that nothing touches, and there is no first step")
+                Self::not_here("the start alone proves that nothing touches, and there is no first step")
             }
             _ => Self::by_the_answer(found, context.asks_for_a_hit()),
         }
@@ -71,7 +76,7 @@ impl Fed {
     pub(super) fn by_the_steps(found: bool, any: bool, ever: bool) -> Self {
         match (found, any) {
             (true, _) => Self::Yes,
-            (false, true) => Self::NotHere("the algorithm took fewer steps"),
+            (false, true) => Self::not_here("the algorithm took fewer steps"),
             (false, false) => Self::by_the_answer(false, ever),
         }
     }
@@ -85,7 +90,7 @@ impl Fed {
     pub(super) fn by_the_frame(found: bool, context: &Context, why: &'static str) -> Self {
         match (found, context.moving_frame()) {
             (true, _) => Self::Yes,
-            (false, Some(_)) => Self::NotHere(why),
+            (false, Some(_)) => Self::not_here(why),
             (false, None) => Self::Never,
         }
     }

@@ -132,11 +132,11 @@ pub(super) const LAYER: Layer = Layer {
         an algorithm that advances in steps for \"steps\"",
     fed: |context, options| match options.word("at", When::HIT) {
         SEPARATED => match separation(context) {
-            Some(answer) if push(&answer).is_none() => Fed::NotHere("no push is needed to part the bodies"),
+            Some(answer) if push(&answer).is_none() => Fed::not_here("no push is needed to part the bodies"),
             answer => Fed::by_the_scene(answer.is_some()).at_one_moment(options),
         },
         RIVAL => match (rival(context), separation(context)) {
-            (None, Some(_)) => Fed::NotHere("the bodies are apart already, or have no other way out"),
+            (None, Some(_)) => Fed::not_here("the bodies are apart already, or have no other way out"),
             (way, _) => Fed::by_the_scene(way.is_some()).at_one_moment(options),
         },
         NOW => Fed::Yes.at_one_moment(options),

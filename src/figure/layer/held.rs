@@ -76,7 +76,13 @@ fn vertices(sketch: &mut Sketch, context: &Context, index: usize, pose: &Pose) {
     let key = vertex_key(body);
     let local = |v: DVec2| pose.inverse_point(pose.position + v);
     let [x, y] = [local(DVec2::X), local(DVec2::Y)];
-    for (vertex, &v) in body.shape.vertices.iter().enumerate() {
+    // Of a box the corner to which both half-extents lead comes first: keys that move it move them.
+    let mut all: Vec<(usize, DVec2)> = body.shape.vertices.iter().copied().enumerate().collect();
+    if let VertexKey::Half(_) = key {
+        let first = all.iter().position(|(_, v)| v.signum() == DVec2::ONE).unwrap_or(0);
+        all.rotate_left(first);
+    }
+    for (vertex, v) in all {
         let (value, least, follows) = match (key, body.shape.half_extents) {
             (VertexKey::Each(_), _) => (v, f64::NEG_INFINITY, [x, y]),
             (VertexKey::Half(_), Some(half)) => (half, LEAST, [x * v.signum(), y * v.signum()]),

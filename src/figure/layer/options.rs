@@ -85,6 +85,11 @@ pub(crate) struct Options {
 }
 
 impl Options {
+    /// Whether the scene gave none.
+    pub(crate) fn is_bare(&self) -> bool {
+        self.given.is_empty()
+    }
+
     /// Checks what a scene says of a layer whose own options are `own`.
     ///
     /// # Errors

@@ -78,8 +78,10 @@ fn fed(context: &Context, options: &Options) -> Fed {
         return Fed::Never;
     }
     let aligned = || difference(context, context.time).and_then(|found| found.aligned()).is_some();
+    let is_joint = *context.space == Space::Configuration;
     match supports(context) {
-        None => Fed::NotHere(NO_EDGE),
+        None => Fed::not_here(NO_EDGE),
+        Some(_) if NOTES && is_joint && !aligned() => Fed::NotHere("no edges face each other"),
         Some(_) if NOTES && options.flag("lengths", false) && !aligned() => {
             Fed::Without { option: "lengths", why: "no edges face each other" }
         }

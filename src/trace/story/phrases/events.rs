@@ -100,11 +100,11 @@ phrases! {
         "* ist mit einem Radius von * gerundet.",
         "* est arrondi d’un rayon de *.",
         "* está redondeado con un radio de *.";
-    /// Where the origin projects to, and how far that is.
-    PROJECTED: "The origin projects to * there, *.",
-        "Der Ursprung projiziert sich dort auf *, *.",
-        "L’origine s’y projette en *, *.",
-        "El origen se proyecta allí en *, *.";
+    /// The point of an edge that is nearest to the origin, and how far the origin is from there.
+    PROJECTED: "Its point nearest to the origin is *, *.",
+        "Ihr dem Ursprung nächster Punkt ist *, *.",
+        "Son point le plus proche de l’origine est *, *.",
+        "Su punto más cercano al origen es *, *.";
     /// The best edge so far of those that the origin is inside of: distance, place, edge, body.
     LEAST_PENETRATING: "Least depth so far: * at *, by * of *.",
         "Bisher kleinste Tiefe: * bei *, durch * von *.",
