@@ -188,7 +188,12 @@ fn components(sketch: &mut Sketch, c: &Clamped, with_kept: bool, values: bool) {
         if !(with_kept && component == kept) {
             sketch.part(key).arrow(c.pose.position, tip, Pen::vector(Role::Muted));
             let anchor = Anchor::tip(c.pose.position, tip);
-            sketch.label(Label::new(key, with_value(text, component, values), anchor, Role::Muted));
+            sketch.label(Label::new(
+                key,
+                with_value(text, component, values || component == 0.0),
+                anchor,
+                Role::Muted,
+            ));
         }
     }
 }
@@ -208,6 +213,6 @@ fn kept(sketch: &mut Sketch, options: &Options, c: &Clamped, values: bool) {
         sketch.part("clamped").line(c.pose.position, end, Pen::highlighted(role));
         let (key, text) = if component == kept { (whole_key, whole) } else { (key, cut) };
         let anchor = Anchor::middle(c.pose.position, end);
-        sketch.label(Label::new(key, with_value(text, kept, values), anchor, role));
+        sketch.label(Label::new(key, with_value(text, kept, values || kept == 0.0), anchor, role));
     }
 }

@@ -199,7 +199,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
     held::difference(sketch, context, middle(&found));
     if !options.flag("built", true) {
-        unbuilt(sketch.since(None), context, options, &found);
+        unbuilt(sketch.since(None), context, options, (&found, time));
         return;
     }
     let cues = EdgeCues::at(context, time);
@@ -210,7 +210,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let pen = if thin { pen.width(THIN.0).opacity(THIN.1) } else { pen };
         (pen, cues.of(edge))
     });
-    name(sketch.since(cues.whole), context, options, &found);
+    name(sketch.since(cues.whole), context, options, (&found, time));
     if options.flag("sources", false) {
         sources(sketch, context, &found);
     }
@@ -303,7 +303,7 @@ fn steps(sketch: &mut Sketch, context: &Context, options: &Options) {
     let cue = context.known(&When::Step(*number));
     area(sketch.since(cue), options, last);
     edges(sketch, last, |_, pen| (pen, cue));
-    name(sketch, context, options, last);
+    name(sketch, context, options, (last, context.difference_time()));
     step_numbers(sketch, context, &all, options.flag("numbers", false));
 }
 

@@ -86,6 +86,16 @@ impl Fed {
         Self::by_the_answer(context.hit().is_some(), context.asks_for_a_hit())
     }
 
+    /// What is drawn by an answer without a hit too: an option that needs one, if it is given, draws nothing.
+    pub(super) fn with_a_hit_for(self, option: Option<&'static str>, context: &Context) -> Self {
+        match option {
+            Some(option) if NOTES && self == Self::Yes && context.hit().is_none() => {
+                Self::Without { option, why: "the answer has no hit" }
+            }
+            _ => self,
+        }
+    }
+
     /// Fed where it has something to draw; else, in the panel of a frame that moves, not there, for `why`.
     pub(super) fn by_the_frame(found: bool, context: &Context, why: &'static str) -> Self {
         match (found, context.moving_frame()) {

@@ -9,9 +9,14 @@ pub(super) fn written(context: &Context, time: f64) -> String {
     hit.map_or_else(|| number(time), |hit| Quantity::within(hit).latex())
 }
 
+/// The line of a label that says a moment.
+pub(super) fn at(context: &Context, time: f64) -> String {
+    format!("at $t = {}$", written(context, time))
+}
+
 /// The line of a label that says the moment; none where it is the panel's own.
 pub(super) fn other(context: &Context, time: f64) -> Option<String> {
-    (time != context.time).then(|| format!("at $t = {}$", written(context, time)))
+    (time != context.time).then(|| at(context, time))
 }
 
 #[cfg(test)]

@@ -10,7 +10,7 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, MARKER, Marker, Pen, Rank, Size, Sketch, Weight};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
-use crate::scene::When;
+use crate::scene::{NOTES, When};
 use crate::trace::{Culling, Event, phrase};
 
 use super::facing::velocity_along;
@@ -76,7 +76,11 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "end", about: "the time where it ends, with ends" },
     ],
     needs: "a question for the first contact of bodies that move relative to each other and do not turn",
-    fed: |context, _| Fed::by_the_scene(velocity_along(context).is_some()),
+    fed: |context, options| {
+        let cut = (options.word("cut", "") == When::HIT).then_some("cut");
+        let given = cut.or(options.flag("lines", false).then_some("lines")).filter(|_| NOTES);
+        Fed::by_the_scene(velocity_along(context).is_some()).with_a_hit_for(given, context)
+    },
     draw,
 };
 

@@ -15,7 +15,12 @@ const UNBUILT: [f64; 3] = [1.5, 0.6, 0.07];
 
 /// Draws its outline faintly, and its name: in its faint area, or, where it has none as what is drawn in
 /// there is something else, outside of its longest edge.
-pub(super) fn unbuilt(sketch: &mut Sketch, context: &Context, options: &Options, found: &Difference) {
+pub(super) fn unbuilt(
+    sketch: &mut Sketch,
+    context: &Context,
+    options: &Options,
+    (found, time): (&Difference, f64),
+) {
     let role = options.role(Role::Difference);
     let pen = Pen::outline(role).width(UNBUILT[0]).opacity(UNBUILT[1]);
     sketch.part("difference").weight(Weight::Light);
@@ -24,7 +29,7 @@ pub(super) fn unbuilt(sketch: &mut Sketch, context: &Context, options: &Options,
     let length = |edge: &Edge| edge.from.distance(edge.to);
     let longest = found.edges.iter().max_by(|e, f| length(e).total_cmp(&length(f)));
     let Some((from, to)) = longest.filter(|_| wash.is_none()).map(|edge| found.drawn(edge)) else {
-        name(sketch, context, options, found);
+        name(sketch, context, options, (found, time));
         return;
     };
     let anchor = Anchor::Beside { from: to, to: from, offset: ON_LINE };

@@ -10,7 +10,7 @@ use crate::figure::cue::Cue;
 use crate::figure::sketch::{Anchor, Label, Outline, Pen, Rank, Sketch};
 use crate::figure::text::{Quantity, in_panel, number};
 use crate::geometry::{Body, DVec2, Enclosure, Side};
-use crate::scene::{Space, When};
+use crate::scene::{NOTES, Space, When};
 use crate::trace::phrase;
 
 use super::held;
@@ -66,15 +66,17 @@ pub(super) const LAYER: Layer = Layer {
     needs: "a body that moves, as the panel shows it; for \"contact\" and \"hit\" a question for the first \
         contact",
     fed: |context, options| {
-        let hit = options.word("from", "center") == "contact"
-            || options.word("cut", "") == When::HIT
-            || options.word("accent", "") == When::HIT;
+        let at_the_hit = [("from", "contact"), ("cut", When::HIT), ("accent", When::HIT)];
+        // What needs a hit is found out before a page is made.
+        let is_given = |(option, word): &(&'static str, &str)| NOTES && options.word(option, "") == *word;
+        let given = at_the_hit.into_iter().find(is_given);
         // A motion without a hit is drawn whole.
-        if hit && !context.asks_for_a_hit() {
+        if given.is_some() && !context.asks_for_a_hit() {
             return Fed::Never;
         }
         let why = "seen from the panel's frame nothing moves";
-        Fed::by_the_frame(!moving(context).is_empty(), context, why)
+        let fed = Fed::by_the_frame(!moving(context).is_empty(), context, why);
+        fed.with_a_hit_for(given.map(|(option, _)| option), context)
     },
     draw,
 };

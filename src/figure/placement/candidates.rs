@@ -9,7 +9,7 @@ use crate::scene::LabelPlace;
 use super::leader::{LONGEST, is_far, leader, led};
 use super::pole::pole;
 use super::polyline::Polyline;
-use super::rect::{DIRECTIONS, about, bounds, reach, way_into};
+use super::rect::{DIRECTIONS, about, bounds, part_inside, reach, way_into};
 use super::things::{Thing, Things};
 use super::weights::{Places, Weights};
 use super::{Candidate, Cut, Fold, Sought, inside};
@@ -61,8 +61,16 @@ fn offered(anchor: &Anchor, size: (f64, f64), things: &Things, frame: &Frame, w:
             let toward = (frame.page(*at + *toward) - frame.page(*at)).unit();
             around(frame.page(*at), MARKER, toward, size, w)
         }
-        Anchor::Along { from, to, best } => along(frame.page(*from), frame.page(*to), *best, size, w),
-        Anchor::Beside { from, to, offset } => beside(frame.page(*from), frame.page(*to), *offset, size, w),
+        Anchor::Along { from, to, best: Best::Tip } => {
+            along((frame.page(*from), frame.page(*to)), Best::Tip, size, w)
+        }
+        // The middle of a line that the view cuts off is that of what is seen.
+        Anchor::Along { from, to, best } => {
+            along(part_inside(frame.page(*from), frame.page(*to), &frame.panel), *best, size, w)
+        }
+        Anchor::Beside { from, to, offset } => {
+            beside(part_inside(frame.page(*from), frame.page(*to), &frame.panel), *offset, size, w)
+        }
         Anchor::Arc { center, radius, start, sweep } => {
             let points = ALONG_ARC.map(|t| {
                 let p = frame.page(on_circle(*center, *radius, start + sweep * t));
@@ -232,7 +240,7 @@ fn upward(u: Offset) -> Offset {
 }
 
 /// Beside a vector or line; at a tip beyond it first.
-fn along(from: Point, to: Point, best: Best, size: (f64, f64), w: &Places) -> Vec<Candidate> {
+fn along((from, to): (Point, Point), best: Best, size: (f64, f64), w: &Places) -> Vec<Candidate> {
     let Some(u) = (to - from).unit() else { return around(to, 0.0, None, size, w) };
     let n = upward(u);
     let at = |t: f64| from + (to - from) * t;
@@ -256,7 +264,7 @@ fn along(from: Point, to: Point, best: Best, size: (f64, f64), w: &Places) -> Ve
 
 /// Beside a dimension line: on its far side first, then between it and what it measures, then beyond its
 /// ends.
-fn beside(from: Point, to: Point, offset: f64, size: (f64, f64), w: &Places) -> Vec<Candidate> {
+fn beside((from, to): (Point, Point), offset: f64, size: (f64, f64), w: &Places) -> Vec<Candidate> {
     let Some(u) = (to - from).unit() else { return around(from, 0.0, None, size, w) };
     let shift = u.left() * offset;
     let (a, b) = (from + shift, to + shift);

@@ -55,7 +55,7 @@ fn what_the_view_cuts_off_is_not_in_view() {
 
 #[test]
 fn a_dimension_has_its_label_on_the_far_side() {
-    let best = beside(Point::new(0.0, 0.0), Point::new(100.0, 0.0), -20.0, (30.0, 12.0), W)
+    let best = beside((Point::new(0.0, 0.0), Point::new(100.0, 0.0)), -20.0, (30.0, 12.0), W)
         .into_iter()
         .min_by(|p, q| p.reluctance.total_cmp(&q.reluctance))
         .unwrap();
@@ -69,4 +69,17 @@ fn a_label_in_trouble_is_offered_a_square_of_places_about_its_own() {
     let all = nudged(&place, &Things::among(&[], None, &panel), &TUNED);
     assert_eq!(all.len(), 13 * 13);
     assert!(all.contains(&place), "its own place is among them, at no further reluctance");
+}
+
+#[test]
+fn a_line_that_the_view_cuts_off_has_its_label_at_the_middle_of_what_is_seen() {
+    let panel = Rect::new(Point::default(), Point::new(100.0, 100.0));
+    let frame = Frame::fit(None, DVec2::ZERO, DVec2::splat(10.0), panel);
+    let [from, to] = [DVec2::new(6.0, 5.0), DVec2::new(46.0, 5.0)];
+    let things = Things::among(&[], None, &panel);
+    for anchor in [Anchor::Beside { from, to, offset: 0.0 }, Anchor::Along { from, to, best: Best::Middle }] {
+        let all = offered(&anchor, (20.0, 12.0), &things, &frame, W).into_iter();
+        let best = all.min_by(|p, q| p.reluctance.total_cmp(&q.reluctance)).unwrap();
+        assert!((best.rect.center().x - 80.0).abs() < 1e-9, "{best:?}");
+    }
 }
