@@ -4,7 +4,7 @@
 use std::ops::Range;
 
 use crate::geometry::DVec2;
-use crate::scene::{Detail, NOTES, Spanned};
+use crate::scene::{Detail, Spanned};
 
 use super::fault::{Fault, Problem};
 use super::inset::is_beside;
@@ -14,9 +14,6 @@ use super::sketch::Sketched;
 /// A warning for each panel whose `view`, and for each whose `inset`, holds nothing of what its layers drew;
 /// grounds, as axes and grids, are there wherever one looks, and don't count.
 pub(super) fn empty_views(panels: &[PanelPlan], sketched: &[Sketched]) -> Vec<Problem> {
-    if !NOTES {
-        return Vec::new();
-    }
     let told = |(panel, sketched): (&PanelPlan, &Sketched)| {
         let (view, inset) = (panel.source.view.as_ref(), panel.source.inset.as_ref());
         let (lo, hi) = sketched.extent?;

@@ -4,13 +4,12 @@
 //! drawing a plan cannot fail.
 
 use crate::geometry::sort_by;
-use crate::scene::{self, Scene, Variant};
+use crate::scene::{self, NOTES, Scene, Variant};
 
 use super::asked_theme::theme_of;
 use super::budget::Budget;
 use super::default_picture;
 use super::describe::Account;
-use super::empty_view::empty_views;
 use super::exercise;
 use super::fault::{Fault, Problem};
 use super::kept::Kept;
@@ -28,7 +27,7 @@ use super::runs::Runs;
 use super::sketch::{Size, Sketched};
 use super::text::{Across, Block, Wording, across, caption_of_words, check_texts, spoken};
 use super::theme::{self, Theme};
-use super::unseen_layer::unseen_layers;
+use super::unseen_layer::unseen;
 use super::whole::of_the_whole;
 use super::{narrow, view};
 
@@ -174,8 +173,7 @@ fn resolve<'s>(
         let fitted = runs.overflow(scene).map_or(Ok(()), Err);
         let fitted = fitted.and_then(|()| fit((scene, &runs), theme, &mut layout, &mut panels));
         let said = fitted.and_then(|(sketched, fitted)| {
-            warnings.extend(empty_views(&panels, &sketched));
-            warnings.extend(unseen_layers(scene, &panels, &sketched));
+            warnings.extend(NOTES.then(|| unseen(scene, &panels, &sketched)).into_iter().flatten());
             let in_look = (scene, theme, &layout.measures);
             let said = say(in_look, &runs, &panels, &sketched, (&mut problems, &mut warnings));
             said.map(|sought| page = Some((fitted, Kept::of(sketched, sought))))

@@ -1,8 +1,9 @@
 //! Layers of which a panel shows nothing, though the answer has what they draw: nothing of it is left, or all
 //! of it lies beside the view.
 
-use crate::scene::{NOTES, Scene};
+use crate::scene::Scene;
 
+use super::empty_view::empty_views;
 use super::fault::{Fault, Problem};
 use super::inset::is_beside;
 use super::panel::{LayerPlan, PanelPlan};
@@ -11,12 +12,9 @@ use super::sketch::{Anchor, Sketched};
 /// What the case is where a layer with options draws nothing, and where one without.
 const LEFT: [&str; 2] = ["its options leave nothing of it", "nothing of it is there at this moment"];
 
-/// A note for each layer that the scene asks for and that no panel shows; none in a panel that is empty, of
-/// which there is a warning.
-pub(super) fn unseen_layers(scene: &Scene, panels: &[PanelPlan], sketched: &[Sketched]) -> Vec<Problem> {
-    if !NOTES {
-        return Vec::new();
-    }
+/// A warning for each panel that stays empty, and of others a note for each layer that the scene asks for and
+/// that its panel does not show.
+pub(super) fn unseen(scene: &Scene, panels: &[PanelPlan], sketched: &[Sketched]) -> Vec<Problem> {
     let asked = |planned: &&LayerPlan| {
         let written = scene.panels.iter().flat_map(|panel| panel.layers.iter().flatten());
         written.into_iter().any(|spec| spec.name.span == planned.span)
@@ -41,7 +39,8 @@ pub(super) fn unseen_layers(scene: &Scene, panels: &[PanelPlan], sketched: &[Ske
         })
         .collect::<Vec<_>>()
     };
-    panels.iter().zip(sketched).flat_map(of_panel).collect()
+    let layers = panels.iter().zip(sketched).flat_map(of_panel);
+    empty_views(panels, sketched).into_iter().chain(layers).collect()
 }
 
 /// What a panel shows of a layer.
