@@ -164,9 +164,9 @@ fn valued(letter: &str, vector: DVec2, options: &Options) -> String {
     }
 }
 
-/// A formula, with its value where one is wanted.
+/// A formula, with its value where one is wanted, and where nothing is seen of it.
 fn with_value(formula: &str, value: f64, is_wanted: bool) -> String {
-    match formula.strip_suffix('$').filter(|_| is_wanted) {
+    match formula.strip_suffix('$').filter(|_| is_wanted || value == 0.0) {
         Some(open) => format!("{open} = {}$", number(value)),
         None => formula.to_owned(),
     }
@@ -188,12 +188,7 @@ fn components(sketch: &mut Sketch, c: &Clamped, with_kept: bool, values: bool) {
         if !(with_kept && component == kept) {
             sketch.part(key).arrow(c.pose.position, tip, Pen::vector(Role::Muted));
             let anchor = Anchor::tip(c.pose.position, tip);
-            sketch.label(Label::new(
-                key,
-                with_value(text, component, values || component == 0.0),
-                anchor,
-                Role::Muted,
-            ));
+            sketch.label(Label::new(key, with_value(text, component, values), anchor, Role::Muted));
         }
     }
 }
@@ -213,6 +208,6 @@ fn kept(sketch: &mut Sketch, options: &Options, c: &Clamped, values: bool) {
         sketch.part("clamped").line(c.pose.position, end, Pen::highlighted(role));
         let (key, text) = if component == kept { (whole_key, whole) } else { (key, cut) };
         let anchor = Anchor::middle(c.pose.position, end);
-        sketch.label(Label::new(key, with_value(text, kept, values || kept == 0.0), anchor, role));
+        sketch.label(Label::new(key, with_value(text, kept, values), anchor, role));
     }
 }

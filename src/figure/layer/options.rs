@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use crate::drawing::Role;
 use crate::geometry::{DVec2, Side};
-use crate::scene::{Fault, LayerSpec, Problem, Scene, Spanned, Value, When};
+use crate::scene::{Fault, LayerSpec, NOTES, Problem, Scene, Spanned, Value, When};
 
 /// The farthest a point of the reader's choice may lie from the origin along either axis.
 const FARTHEST: f64 = 1e100;
@@ -323,9 +323,10 @@ fn in_reach(x: f64) -> bool {
     x.abs() <= FARTHEST
 }
 
-/// What an option takes, in the words of a message.
+/// What an option takes, in the words of a message; no page changes options.
 fn expected(takes: Takes) -> String {
     match takes {
+        _ if !NOTES => String::new(),
         Takes::Flag => "true or false".to_owned(),
         Takes::Number => "a number".to_owned(),
         Takes::Positive => "a number above 0".to_owned(),

@@ -4,6 +4,7 @@
 use crate::drawing::{Offset, Point, Rect};
 use crate::figure::frame::Frame;
 use crate::figure::sketch::{Anchor, Best, Corner, MARKER, on_circle};
+use crate::geometry::DVec2;
 use crate::scene::LabelPlace;
 
 use super::leader::{LONGEST, is_far, leader, led};
@@ -48,6 +49,8 @@ pub(super) fn candidates(sought: &Sought, things: &Things, frame: &Frame, w: &Pl
 
 /// The places for a label of a size, by what it belongs to.
 fn offered(anchor: &Anchor, size: (f64, f64), things: &Things, frame: &Frame, w: &Places) -> Vec<Candidate> {
+    // The middle of a line that the view cuts off is that of what is seen.
+    let seen = |from: &DVec2, to: &DVec2| part_inside(frame.page(*from), frame.page(*to), &frame.panel);
     match anchor {
         Anchor::Point { at, clear, toward } => {
             let toward = (frame.page(*at + *toward) - frame.page(*at)).unit();
@@ -64,13 +67,8 @@ fn offered(anchor: &Anchor, size: (f64, f64), things: &Things, frame: &Frame, w:
         Anchor::Along { from, to, best: Best::Tip } => {
             along((frame.page(*from), frame.page(*to)), Best::Tip, size, w)
         }
-        // The middle of a line that the view cuts off is that of what is seen.
-        Anchor::Along { from, to, best } => {
-            along(part_inside(frame.page(*from), frame.page(*to), &frame.panel), *best, size, w)
-        }
-        Anchor::Beside { from, to, offset } => {
-            beside(part_inside(frame.page(*from), frame.page(*to), &frame.panel), *offset, size, w)
-        }
+        Anchor::Along { from, to, best } => along(seen(from, to), *best, size, w),
+        Anchor::Beside { from, to, offset } => beside(seen(from, to), *offset, size, w),
         Anchor::Arc { center, radius, start, sweep } => {
             let points = ALONG_ARC.map(|t| {
                 let p = frame.page(on_circle(*center, *radius, start + sweep * t));

@@ -2,7 +2,6 @@
 
 use super::super::{rect::distance_to, weights::TUNED};
 use super::*;
-use crate::geometry::DVec2;
 
 const W: &Places = &Places::TUNED;
 #[test]
