@@ -374,19 +374,25 @@ fn what_one_order_proves_at_once_the_other_proves_too() {
 #[test]
 fn an_overlap_is_proved_both_ways_round_by_every_algorithm_however_far_one_body_reaches() {
     let near = [
-        r#""points": [[3.0625, 6.125], [0, 1.25]], "radius": 2.375, "position": [-1.25, 1]"#,
-        r#""points": [[2.375, 1.25], [2.375, 1]], "radius": 5.0625, "position": [1, 3.0625]"#,
+        r#""kind": "capsule", "points": [[3.0625, 6.125], [0, 1.25]], "radius": 2.375, "position": [-1.25, 1]"#,
+        r#""kind": "capsule", "points": [[2.375, 1.25], [2.375, 1]], "radius": 5.0625, "position": [1, 3.0625]"#,
+        // What is near an edge's one end is lost beside its other end.
+        r#""kind": "regular-polygon", "edges": 3, "circumradius": 3.5, "position": [1, 1.8], "angle_deg": 125"#,
+        // Along the unit normal of what reaches far, both lower corners of the box seem level.
+        r#""kind": "aabb", "half_extents": [1, 5.5], "position": [3.0625, 2.9]"#,
     ];
     let far = [
         r#""points": [[6.125e69, 0], [-1, 1]], "radius": 0"#,
         r#""points": [[1.3611294676837539e40, -1.3611294676837539e40], [6.125, 6.125]], "radius": 3.0625"#,
+        r#""points": [[3.0625e80, 0], [5, 1.0625]], "radius": 2.75, "position": [-1, -1], "angle_deg": 1"#,
+        r#""points": [[4.5, 6.125e69], [-0.6, -5.1]], "radius": 4.125, "position": [1, 6.125]"#,
     ];
     for ((near, far), algorithm) in near.into_iter().zip(far).flat_map(|pair| {
         ["closest-features", "gjk", "separating-axes", "merge", "minkowski"].map(|word| (pair, word))
     }) {
         for of in ["[\"A\", \"B\"]", "[\"B\", \"A\"]"] {
             let found = answer(&format!(
-                r#"{{"shapes": {{"A": {{"kind": "capsule", {near}}}, "B": {{"kind": "capsule", {far}}}}},
+                r#"{{"shapes": {{"A": {{{near}}}, "B": {{"kind": "capsule", {far}}}}},
                 "query": {{"kind": "overlap", "of": {of}, "algorithm": "{algorithm}"}}}}"#
             ));
             let verdict = found.get("overlap").unwrap().to_string();

@@ -5,7 +5,7 @@
 //! widen.
 
 use crate::collision::certified::distance::pair::{Pair, scaled};
-use crate::collision::feature::DifferenceEdge;
+use crate::collision::feature::{DifferenceEdge, a_then_b};
 use crate::geometry::{Ball, DVec2, Rotation, Side};
 
 /// A vector of balls.
@@ -112,6 +112,16 @@ impl<'p, 's> BallPair<'p, 's> {
         }
     }
 
+    /// The normal of an edge of B ⊖ A, from A to B and as long as the edge: its direction is known to more
+    /// bits of the shorter component than that of the unit normal.
+    pub(crate) fn across(&self, DifferenceEdge { source, edge, .. }: DifferenceEdge) -> Vec2 {
+        let e = self.edge(source, edge);
+        match source {
+            Side::A => [e[1], -e[0]],
+            Side::B => [-e[1], e[0]],
+        }
+    }
+
     /// Vertex j of B less vertex i of A: a vertex of B ⊖ A.
     pub(crate) fn between(&self, i: usize, j: usize) -> Vec2 {
         minus(&self.vertex(Side::B, j), &self.vertex(Side::A, i))
@@ -120,7 +130,8 @@ impl<'p, 's> BallPair<'p, 's> {
     /// An edge of B ⊖ A measured: its supporting vertex settled, its gap enclosed.
     pub(crate) fn measure(&self, mut facing: DifferenceEdge) -> MeasuredEdge {
         let normal = self.normal(facing.source, facing.edge);
-        let partner = self.support(&mut facing, &normal);
+        let across = self.across(facing);
+        let partner = self.support(&mut facing, &across);
         let gap = self.gap(facing, partner, &normal);
         MeasuredEdge { facing, partner, normal, gap }
     }
@@ -129,11 +140,24 @@ impl<'p, 's> BallPair<'p, 's> {
     pub(crate) fn gap(&self, facing: DifferenceEdge, partner: Option<usize>, normal: &Vec2) -> Ball {
         let DifferenceEdge { source, vertex, .. } = facing;
         let [i, j] = facing.start();
-        let gap = dot(normal, &self.between(i, j));
+        let mut gap = dot(normal, &self.between(i, j));
+        if gap.radius > f64::EPSILON * gap.value.hi.abs() {
+            // All of the line is as far along the normal, and its other end may be nearer.
+            let [k, l] = self.end(facing);
+            let other = dot(normal, &self.between(k, l));
+            if other.radius < gap.radius {
+                gap = other;
+            }
+        }
         match partner {
             Some(_) => gap.widen(self.drop_below(source.other(), vertex, &seen_by_other(source, normal))),
             None => gap,
         }
+    }
+
+    /// The vertices [i, j] of A and B that end an edge of B ⊖ A.
+    pub(crate) fn end(&self, DifferenceEdge { source, edge, vertex }: DifferenceEdge) -> [usize; 2] {
+        a_then_b(source, self.pair.hull(source).next(edge), vertex)
     }
 
     /// Settles which vertex of the other body supports an edge of B ⊖ A along a normal of it, from A to B, of

@@ -146,14 +146,16 @@ fn toward(pair: &Pair, balls: &BallPair, facing: DifferenceEdge) -> (DifferenceE
     if (measured.gap - behind.gap).is_negative() { (other, behind) } else { (facing, measured) }
 }
 
-/// Bound on how much farther B ⊖ A is than the gap along an edge of it: the edge's start is a point of B ⊖ A.
+/// Bound on how much farther B ⊖ A is than the gap along an edge of it: the edge's ends are points of B ⊖ A.
 ///
 /// Where bodies are so far apart that nothing of an edge's length is left beside the distance, this is all
 /// that is known of where the foot of the origin lies on it.
 fn farther(balls: &BallPair, edge: DifferenceEdge, gap: Ball) -> f64 {
-    let [i, j] = edge.start();
-    let start = balls.between(i, j);
-    (dot(&start, &start).sqrt() - gap).magnitude()
+    let beyond = |[i, j]: [usize; 2]| {
+        let end = balls.between(i, j);
+        (dot(&end, &end).sqrt() - gap).magnitude()
+    };
+    beyond(edge.start()).min(beyond(balls.end(edge)))
 }
 
 /// Vertex i of A against vertex j of B: |`w_j − v_i`|, less what the supports along it may lie nearer.

@@ -158,11 +158,7 @@ impl Ray<'_, '_> {
 
     /// An edge of B ⊖ A with its line, from a vertex of the other body that doubles take for its support.
     fn line(&self, mut facing: DifferenceEdge) -> Line {
-        let e = self.balls.edge(facing.source, facing.edge);
-        let normal = match facing.source {
-            Side::A => [e[1], -e[0]],
-            Side::B => [-e[1], e[0]],
-        };
+        let normal = self.balls.across(facing);
         let partner = self.balls.support(&mut facing, &normal);
         Line { facing, partner, normal }
     }
