@@ -92,31 +92,56 @@ async function figure(stem) {
         if ((await step()) !== expected) fail(`${stem}, ${about}`, `is at step ${await step()}, expected ${expected}`);
         const said = await page.textContent("nav output");
         if (!said.startsWith(`${expected} / ${count}: `)) fail(`${stem}, ${about}`, `says "${said}"`);
-        const ends = [await back.isDisabled(), await next.isDisabled()];
-        if (ends[0] !== (expected === 1) || ends[1] !== (expected === count)) fail(stem, `buttons are off: ${ends}`);
+        if ((await back.isDisabled()) !== (expected === 1)) fail(`${stem}, ${about}`, "the button back is wrong");
+        const sign = await next.textContent();
+        if (sign !== (expected === count ? "↺" : "▶")) fail(`${stem}, ${about}`, `the button onward is ${sign}`);
+        const hash = await page.evaluate(() => location.hash);
+        if (about !== "opened" && hash !== `#step-${expected}`) fail(`${stem}, ${about}`, `the address ends in ${hash}`);
         return holds(page, `${stem}, ${about}`, expected);
     };
     const whole = await at("opened", count);
     await sound(page, stem);
+    // The buttons stay where they are, whatever is said.
+    const stands = async () => Math.round((await back.boundingBox()).y);
     await page.keyboard.press("Home");
-    const first = await at("Home", 1);
+    if ((await page.evaluate(() => document.documentElement.scrollHeight > innerHeight + 1))) {
+        await at("opened", count);
+        await next.click();
+    }
+    const first = await at("Home, or from the end onward", 1);
+    const stood = await stands();
     for (let k = 2; k <= count; k++) {
         if (k % 2 === 0) await next.click();
         else await page.keyboard.press("ArrowRight");
         await at("onward", k);
+        if ((await stands()) !== stood) fail(stem, `at step ${k} the buttons moved`);
     }
     await back.click();
     await at("back", Math.max(1, count - 1));
+    // On a page that scrolls these keys are the browser's.
+    await page.setViewportSize({ width: 1100, height: 12000 });
     await page.keyboard.press("End");
     await at("End", count);
+    await page.keyboard.press("Home");
+    await at("Home", 1);
+    await page.keyboard.press("End");
     // In the list, where the browser has keys of its own, an arrow goes one step too.
     await page.locator("input[name=step]").last().focus();
     await page.keyboard.press("ArrowLeft");
     await at("in the list", Math.max(1, count - 1));
+    const held = await page.evaluate(() => document.activeElement.checked);
+    if (!held) fail(stem, "an arrow in the list leaves the focus behind");
     await page.close();
+    const phone = await opened(stem, "#step-1", { viewport: { width: 390, height: 800 } });
+    const isSeen = (all) => all.filter((one) => one.getBoundingClientRect().width > 0).length;
+    const seen = await phone.$$eval("figure > svg", isSeen);
+    const wide = await phone.evaluate(() => [document.documentElement.scrollWidth, scrollY]);
+    if (seen !== 1 || wide[0] > 390 || wide[1] > 0) fail(stem, `on a phone: ${seen} pictures, ${wide}`);
+    await holds(phone, `${stem} on a phone`, 1);
+    await phone.close();
     const linked = await opened(stem, "#step-1");
     await holds(linked, `${stem}, #step-1`, 1);
-    await linked.keyboard.press("End");
+    await linked.locator("input[name=step]").last().check();
     await holds(linked, `${stem}, #step-1 and End`, count);
     await linked.close();
     const bare = await opened(stem, "", { javaScriptEnabled: false });

@@ -25,6 +25,7 @@ use super::in_time::InTime;
 use super::inputs::{Found, find};
 use super::jobs::{Job, Planned, Planner, Target, jobs};
 use super::live::{Live, live_of};
+use super::narrow::narrow;
 use super::own_themes::{NoOwnTheme, OwnThemes};
 use super::parallel::threads;
 use super::project::OpenProject;
@@ -298,7 +299,8 @@ impl Files {
             let plan = planned_anew.as_ref().unwrap_or(&plan);
             let id = figure_id(job, first);
             let drawn = self.motion.drawn(in_time, (plan, theme, &id)).map_err(refuse)?;
-            let Figure { drawing, warnings, .. } = drawn;
+            let Figure { mut drawing, warnings, .. } = drawn;
+            drawing.narrow = narrow((scene, theme), (&drawing, in_time), same_theme);
             timings.lap("draw");
             if self.strict && !warnings.is_empty() {
                 return Err(refuse(warnings).into());

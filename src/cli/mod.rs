@@ -35,6 +35,7 @@ mod man;
 mod manual;
 mod mdbook;
 mod moodle;
+mod narrow;
 mod orphans;
 mod outputs;
 mod own_themes;

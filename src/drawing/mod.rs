@@ -98,6 +98,8 @@ pub struct Drawing {
     pub steps: Vec<Step>,
     /// The pictures that lead to the figure where it plays; none where it does not.
     pub motion: Vec<MotionFrame>,
+    /// The same figure for a page as narrow as a phone, in the same steps; none where there is none.
+    pub narrow: Option<Box<Drawing>>,
 }
 
 impl Drawing {

@@ -98,6 +98,7 @@ mod tests {
             items: vec![Item::Group(outer)],
             steps: Vec::new(),
             motion: Vec::new(),
+            narrow: None,
         };
         let area = Rect { x0: 80.0, y0: 0.0, x1: 100.0, y1: 20.0 };
         let found = elements_in(&drawing, area);

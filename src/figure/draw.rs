@@ -213,6 +213,7 @@ pub(crate) fn draw_unjudged(plan: &Plan, theme: &Theme, id: &str, before: Option
         items,
         steps,
         motion: Vec::new(),
+        narrow: None,
     };
     let warnings = plan.warnings.iter().cloned().chain(note).collect();
     Figure { drawing, panels, insets, handles, warnings, share }

@@ -257,6 +257,18 @@ impl Format {
         }
     }
 
+    /// Whether a page of this format in steps shows a narrow window [`Drawing::narrow`].
+    ///
+    /// ```
+    /// use tracefig::output::format;
+    /// assert!(format("html").unwrap().has_narrow_pages());
+    /// assert!(!format("svg").unwrap().has_narrow_pages());
+    /// ```
+    #[must_use]
+    pub fn has_narrow_pages(&self) -> bool {
+        self.live.is_some()
+    }
+
     /// Whether one file of this format can hold all steps of a drawing. Of the others each step is a file.
     ///
     /// ```

@@ -97,6 +97,7 @@ pub(super) fn everything() -> Drawing {
         items,
         steps: Vec::new(),
         motion: Vec::new(),
+        narrow: None,
     }
 }
 

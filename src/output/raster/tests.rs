@@ -39,6 +39,7 @@ impl Seen {
             items,
             steps: Vec::new(),
             motion: Vec::new(),
+            narrow: None,
         };
         let pixels = rasterize(&drawing, scale).unwrap();
         let dark = |pixel: &[u8]| 1.0 - f64::from(pixel[0]) / 255.0;

@@ -20,15 +20,13 @@ use crate::drawing::{Drawing, Item, Shown};
 const STYLE: &str = include_str!("stepper.css");
 /// The buttons and keys.
 const SCRIPT: &str = include_str!("stepper.js");
-/// The buttons, which the script shows: by how many steps each goes on.
-const BUTTONS: [(i32, &str); 2] = [(-1, "◀"), (1, "▶")];
-/// What the buttons and the list are called, in each language of which we have words; the first is for all
-/// others.
-const WORDS: [(&str, ([&str; 2], &str)); page::LANGUAGES] = [
-    (Drawing::OWN_LANG, (["Step back", "Next step"], "Steps")),
-    ("de", (["Schritt zurück", "Nächster Schritt"], "Schritte")),
-    ("fr", (["Étape précédente", "Étape suivante"], "Étapes")),
-    ("es", (["Paso anterior", "Paso siguiente"], "Pasos")),
+/// What the buttons are called, one step back, one on and back to the first, and the list, in each language of
+/// which we have words; the first is for all others.
+const WORDS: [(&str, ([&str; 3], &str)); page::LANGUAGES] = [
+    (Drawing::OWN_LANG, (["Step back", "Next step", "First step"], "Steps")),
+    ("de", (["Schritt zurück", "Nächster Schritt", "Erster Schritt"], "Schritte")),
+    ("fr", (["Étape précédente", "Étape suivante", "Première étape"], "Étapes")),
+    ("es", (["Paso anterior", "Paso siguiente", "Primer paso"], "Pasos")),
 ];
 
 /// Writes the page.
@@ -40,21 +38,27 @@ pub(super) fn write(drawing: &Drawing, _: &Options, in_steps: InSteps) -> Result
     out.push_str(STYLE);
     push_rules(&mut out, drawing);
     out.push_str("</style>\n</head>\n<body>\n<main>\n");
+    // Where an address leads is the top of the page: the picture is what one comes for.
+    for number in 1..=drawing.steps.len() {
+        let _ = write!(out, "<i id=\"step-{number}\"></i>");
+    }
     let [of_title, of_desc] = drawing.languages_of_words();
     page::open(&mut out, "h1", of_title);
     escape(&mut out, &drawing.title);
     out.push_str("</h1>\n<figure>\n");
     out.push_str(&searchable(drawing, Some(in_steps)));
-    let (names, list) = page::in_language(drawing, &WORDS);
-    let _ = write!(out, "</figure>\n<nav hidden aria-label=\"{list}\">");
-    for ((by, sign), name) in BUTTONS.into_iter().zip(names) {
-        let _ = write!(out, "<button type=\"button\" value=\"{by}\" aria-label=\"{name}\">{sign}</button>");
+    if let Some(narrow) = &drawing.narrow {
+        out.push_str(&searchable(narrow, Some(in_steps)));
     }
+    let ([back, next, again], list) = page::in_language(drawing, &WORDS);
+    let _ = write!(out, "</figure>\n<nav hidden aria-label=\"{list}\">");
+    let _ = write!(out, "<button type=\"button\" aria-label=\"{back}\">◀</button>");
+    let _ = write!(out, "<button type=\"button\" aria-label=\"{next}\" data-again=\"{again}\">▶</button>");
     let _ = write!(out, "<output></output></nav>\n<fieldset>\n<legend>{list}</legend>\n<ol>\n");
     let last = drawing.steps.len();
     for (number, step) in (1..).zip(&drawing.steps) {
         let on = if number == last { " checked" } else { "" };
-        let _ = write!(out, "<li id=\"step-{number}\"><label><input type=\"radio\" name=\"step\" ");
+        let _ = write!(out, "<li><label><input type=\"radio\" name=\"step\" ");
         let _ = write!(out, "value=\"{number}\"{on}> ");
         page::push_words(&mut out, &step.title);
         out.push_str("<span>");
@@ -76,15 +80,16 @@ fn push_rules(out: &mut String, drawing: &Drawing) {
     for step in 1..last {
         let _ = writeln!(out, "main:has([name=step][value=\"{step}\"]:checked){{--step:{step}}}");
         // Without a script: until the list says otherwise.
-        let _ = writeln!(
-            out,
-            "main:not([data-script]):has([value=\"{last}\"]:checked):has(#step-{step}:target)\
-             {{--step:{step}}}"
-        );
+        let linked =
+            format!("main:not([data-script]):has([value=\"{last}\"]:checked):has(#step-{step}:target)");
+        let _ = writeln!(out, "{linked}{{--step:{step}}}");
+        let _ =
+            writeln!(out, "{linked} li{{font-weight:400}}{linked} li:nth-child({step}){{font-weight:600}}");
     }
     let _ = writeln!(out, "@media print{{main{{--step:{last}!important}}}}");
     let mut used = BTreeSet::new();
-    drawing.items.iter().for_each(|item| collect(item, &mut used));
+    let narrow = drawing.narrow.iter().flat_map(|narrow| &narrow.items);
+    drawing.items.iter().chain(narrow).for_each(|item| collect(item, &mut used));
     for (since, until) in used {
         let _ = write!(out, "[{SINCE}=\"{since}\"]");
         let come = format!("var(--step) - {}", since - 1);
@@ -118,7 +123,7 @@ mod tests {
     fn buttons_and_list_are_called_in_the_language_of_the_scene() {
         let mut drawing = everything();
         for (lang, said) in [
-            (None, ["Step back", "<legend>Steps<"]),
+            (None, ["First step", "<legend>Steps<"]),
             (Some("pl"), ["Step back", "<legend>Steps<"]),
             (Some("de-AT"), ["Schritt zurück", "<legend>Schritte<"]),
             (Some("fr"), ["Étape précédente", "<legend>Étapes<"]),
@@ -150,5 +155,11 @@ mod tests {
             )
         );
         assert!(page.contains("<g data-step=\"2\" data-until=\"3\" opacity=\"0\">"));
+        // On a phone the same steps of a picture of its own.
+        let narrow = Drawing { id: "on-a-phone".into(), width: 360.0, ..drawing.clone() };
+        let both = Drawing { narrow: Some(Box::new(narrow)), ..drawing };
+        let both = String::from_utf8(write(&both, &Options::default(), InSteps::default()).unwrap()).unwrap();
+        assert_eq!([&page, &both].map(|page| page.matches("<svg").count()), [1, 2]);
+        assert!(both.contains("id=\"on-a-phone"));
     }
 }

@@ -112,6 +112,7 @@ pub(crate) fn draw(chart: &Chart, color: &dyn Fn(Role) -> Color) -> Result<Drawi
         items: artist.items,
         steps: Vec::new(),
         motion: Vec::new(),
+        narrow: None,
     })
 }
 

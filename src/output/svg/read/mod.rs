@@ -111,6 +111,7 @@ fn read(document: &Document<'_>, too_much: &mut Option<TooMuch>) -> Option<Pictu
         items,
         steps: Vec::new(),
         motion: Vec::new(),
+        narrow: None,
         id: prefix.clone(),
     };
     let found = found.unwrap_or_default();
