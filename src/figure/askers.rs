@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::collision::{ALGORITHMS, QUERIES};
-use crate::figure::context::Context;
+use crate::figure::context::{Context, Play};
 use crate::figure::runs::Runs;
 use crate::scene::{Scene, SceneQuery, Space, open_text};
 
@@ -38,7 +38,8 @@ pub fn askers() -> Vec<String> {
     let (mut found, mut all): (BTreeMap<_, Asked>, Asked) = (BTreeMap::new(), Asked::new());
     for scene in pairs() {
         let (space, runs) = (Space::World, Runs::default());
-        let context = Context { scene: &scene, space: &space, time: 0.0, step: None, now: None, runs: &runs };
+        let context =
+            Context { scene: &scene, space: &space, time: 0.0, step: None, play: Play::No, runs: &runs };
         // Of the first step, if there are any.
         let in_steps = Context { step: Some(1), ..context };
         for (who, asked) in questions(&scene) {

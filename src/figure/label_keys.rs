@@ -4,7 +4,7 @@
 use crate::scene::{self, LayerSpec, NOTES, Scene, Space};
 
 use super::called::{Called, KEYS, Replaced};
-use super::context::Context;
+use super::context::{Context, Play};
 use super::default_picture::layers_of_all;
 use super::fault::{Fault, Problem};
 use super::layer::{Fed, Layer, Options, find, is_key};
@@ -61,7 +61,7 @@ pub(super) fn label_keys(scene: &Scene, runs: &Runs, panels: &[PanelPlan], probl
 fn fed(scene: &Scene, runs: &Runs, space: &Space, spec: &LayerSpec) -> Option<&'static Layer> {
     let layer = find(&spec.name.value)?;
     let options = Options::read(layer.options, spec, scene).ok()?;
-    let context = Context { scene, space, time: scene.query.time, step: None, now: None, runs };
+    let context = Context { scene, space, time: scene.query.time, step: None, play: Play::No, runs };
     ((layer.fed)(&context, &options) != Fed::Never).then_some(layer)
 }
 

@@ -10,6 +10,7 @@ use crate::drawing::{Drawing, MotionFrame};
 use crate::scene::{Scene, Spanned};
 
 use super::clock::{self, Clock};
+use super::context::Play;
 use super::draw::{Figure, draw, draw_after};
 use super::fault::{Fault, Problem};
 use super::frame::{Frame, union};
@@ -45,7 +46,7 @@ fn at<'s>(still: &Plan<'s>, played: &Played, time: f64) -> Result<(Plan<'s>, Vec
         return Err(problems);
     }
     for ((panel, before), own) in panels.iter_mut().zip(&still.panels).zip(&moments) {
-        panel.now = Some(time).filter(|_| own.is_none());
+        panel.play = if own.is_none() { Play::Stands(time) } else { Play::Moves };
         panel.frame = Frame { pose: view::pose(scene, panel), ..before.frame };
     }
     let sketched = view::sketch(scene, &runs, theme, &panels).map_err(one)?;
@@ -264,6 +265,15 @@ mod tests {
     fn panel(drawing: &Drawing, number: usize) -> &Item {
         let name = format!("panel-{number}");
         drawing.items.iter().find(|item| matches!(item, Item::Group(group) if group.name == name)).unwrap()
+    }
+
+    #[test]
+    fn a_ghost_is_drawn_until_its_body_has_come_there() {
+        let panel = "{ time = 'hit', layers = ['shapes', { layer = 'ghosts', at = 'start' }] }";
+        let (figure, _) = played(&discs(SWEEP, panel), 400);
+        let has_ghost = |frame: &MotionFrame| format!("{:?}", frame.drawing.items).contains("ghost-A");
+        let without = figure.drawing.motion.iter().filter(|frame| !has_ghost(frame)).count();
+        assert_eq!(without, 1, "that of the start");
     }
 
     #[test]

@@ -7,7 +7,7 @@ use std::ops::Range;
 use crate::drawing::Rect;
 use crate::scene::{self, Detail, Panel, Scene, Spanned};
 
-use super::context::{Context, Moment};
+use super::context::{Context, Moment, Play};
 use super::cue::Cue;
 use super::frame::{Extent, Frame};
 use super::inset::Inset;
@@ -46,8 +46,8 @@ pub(crate) struct PanelPlan<'s> {
     pub(crate) reach: Extent,
     /// Whether it is drawn for its steps: its labels then keep off what comes and goes with those.
     pub(crate) in_steps: bool,
-    /// The moment, in [0, 1], that other panels show while this one stands still, in a figure that plays.
-    pub(crate) now: Option<f64>,
+    /// What becomes of it in a figure that plays.
+    pub(crate) play: Play,
 }
 
 /// A layer of a panel with its options, checked.
@@ -74,7 +74,7 @@ impl PanelPlan<'_> {
     /// What the panel's layers may know.
     pub(crate) fn context<'p>(&'p self, scene: &'p Scene, runs: &'p Runs) -> Context<'p> {
         let Moment { time, step } = self.moment;
-        Context { scene, space: &self.source.space, time, step, now: self.now, runs }
+        Context { scene, space: &self.source.space, time, step, play: self.play, runs }
     }
 
     /// The labels that the panel's layers can write, whether the answer has something for them or not.

@@ -11,7 +11,7 @@ use crate::geometry::{DVec2, Side};
 use crate::scene::{self, LayerSpec, NOTES, Panel, Scene, Space, Spanned, Value, When};
 use crate::typeset::{Style, line, paragraph};
 
-use super::context::{Context, Moment};
+use super::context::{Context, Moment, Play};
 use super::default_picture::Sheet;
 use super::fault::{Fault, Problem};
 use super::frame::Frame;
@@ -79,7 +79,8 @@ impl<'r, 's> Resolver<'r, 's> {
         let moment = self.moment(&source)?;
         let (scene, runs) = (self.scene, self.runs);
         let space = source.space.clone();
-        let context = Context { scene, space: &space, time: moment.time, step: moment.step, now: None, runs };
+        let context =
+            Context { scene, space: &space, time: moment.time, step: moment.step, play: Play::No, runs };
         let (mut layers, mut unwritten, mut silent) = (Vec::<LayerPlan>::new(), Vec::new(), Vec::new());
         for (i, spec) in source.layers.iter().flatten().enumerate() {
             match self.layer(&context, spec, ours) {
@@ -130,7 +131,7 @@ impl<'r, 's> Resolver<'r, 's> {
             frame,
             reach: None,
             in_steps: false,
-            now: None,
+            play: Play::No,
         })
     }
 
@@ -148,7 +149,7 @@ impl<'r, 's> Resolver<'r, 's> {
         let (scene, runs) = (self.scene, self.runs);
         let own = if is_of_a_moment(scene.query.kind) { scene.query.time } else { 0.0 };
         let Some(when) = &panel.when else { return Some(Moment { time: own, step: None }) };
-        let context = Context { scene, space: &panel.space, time: own, step: None, now: None, runs };
+        let context = Context { scene, space: &panel.space, time: own, step: None, play: Play::No, runs };
         context.moment(&when.value).or_else(|| self.other_moment(&context, when))
     }
 

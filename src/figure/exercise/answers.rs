@@ -1,7 +1,7 @@
 //! What an exercise asks, the numbers that answer it, and the way to them.
 
 use crate::collision::Answer;
-use crate::figure::context::Context;
+use crate::figure::context::{Context, Play};
 use crate::figure::runs::Runs;
 use crate::figure::standing::standing;
 use crate::figure::text::{Digits, NO_OTHER, filled, givers, in_math, rounded, value_of, with_powers};
@@ -278,7 +278,7 @@ pub(super) fn solved(scene: &Scene, runs: &Runs, exercise: &Exercise) -> Vec<Str
 
 /// What is known of a scene at the moment of its query.
 fn of_the_query<'s>(scene: &'s Scene, runs: &'s Runs) -> Context<'s> {
-    Context { scene, space: &Space::World, time: scene.query.time, step: None, now: None, runs }
+    Context { scene, space: &Space::World, time: scene.query.time, step: None, play: Play::No, runs }
 }
 
 /// The sentences of the trace that a reader works through, as markup.

@@ -3,7 +3,7 @@
 
 use crate::collision::Separation;
 use crate::drawing::Role;
-use crate::figure::context::Context;
+use crate::figure::context::{Context, Play};
 use crate::figure::sketch::{
     Anchor, Label, Marker, Outline, Pen, Rank, SMALL_MARKER, Size, Sketch, Wash, Weight,
 };
@@ -249,8 +249,8 @@ fn way(sketch: &mut Sketch, context: &Context, options: &Options, (side, time): 
     }
 }
 
-/// Draws a body at a moment in which it has another pose; where its outline is one with that of now, it is
-/// only said, as two names would stand on one body.
+/// Draws a body at a moment in which it has another pose; where its outline is one with that of now, and it
+/// is not on its way there, it is only said, as two names would stand on one body.
 pub(super) fn elsewhere(
     sketch: &mut Sketch,
     context: &Context,
@@ -260,7 +260,8 @@ pub(super) fn elsewhere(
 ) {
     let now = context.outline(side, context.time);
     let is_wanted = options.words("text").is_some() || options.flag("solid", false);
-    if is_wanted || !now.is_some_and(|now| look_alike(&now, outline, sketch.px(UNSEEN))) {
+    let is_drawn = is_wanted || context.play == Play::Moves;
+    if is_drawn || !now.is_some_and(|now| look_alike(&now, outline, sketch.px(UNSEEN))) {
         let mut lines = at_moment(context, side, written);
         lines.extend(turned(context, side, time, WHOLE_TURN));
         return ghost(sketch, options, side, outline, lines);

@@ -6,7 +6,7 @@
 //! Where a body turns, B ⊖ A changes on the way, and there is no such ray.
 
 use crate::drawing::Role;
-use crate::figure::context::Context;
+use crate::figure::context::{Context, Play};
 use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, MARKER, Marker, Pen, Rank, Size, Sketch, Weight};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
@@ -130,7 +130,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     if options.word("cut", "") != When::HIT {
         held::closing_velocity(sketch, context, (tip, cut - context.difference_time()));
     }
-    if let Some(now) = context.now {
+    if let Play::Stands(now) = context.play {
         sketch.since(None).part("now").marker(from + v * now, Marker::Disc, role, MARKER);
     }
 }
