@@ -13,7 +13,7 @@ use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::cue::Cue;
 use crate::figure::sketch::{Anchor, Label, Pen, Rank, Size, Sketch, Weight};
-use crate::figure::text::number;
+use crate::figure::text::{least, most, number};
 use crate::geometry::DVec2;
 use crate::trace::phrase;
 
@@ -149,10 +149,12 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
     let pen = Pen::highlighted(role).width(BAR);
     sketch.part("bracket").bar(at(found.least), at(found.most), 0.0, pen);
-    for (key, sign, distance, side) in
-        [("at-least", r"\ge", found.least, -ASIDE), ("at-most", r"\le", found.most, ASIDE)]
+    // What is written is a bound too.
+    let (least, most) = (least(found.least), most(found.most));
+    for (key, sign, written, distance, side) in
+        [("at-least", r"\ge", least, found.least, -ASIDE), ("at-most", r"\le", most, found.most, ASIDE)]
     {
-        let text = format!("${sign} {}$", number(distance));
+        let text = format!("${sign} {}$", written);
         let label = Label::new(key, text, Anchor::point_toward(at(distance), below(side)), role);
         sketch.label(label.rank(Rank::Measure).size(Size::Note));
     }

@@ -12,7 +12,7 @@ use crate::figure::cue::Cue;
 use crate::figure::sketch::{
     Anchor, Label, MARKER, Marker, Outline, Pen, Rank, SMALL_MARKER, Size, Sketch, Wash, Weight,
 };
-use crate::figure::text::{Quantity, number};
+use crate::figure::text::{Quantity, least};
 use crate::geometry::{DVec2, perp};
 use crate::scene::NOTES;
 use crate::trace::{Event, phrase};
@@ -212,7 +212,7 @@ fn draw_step(sketch: &mut Sketch, context: &Context, step: &Step, options: &Opti
     let rounding = context.scene.query_at(context.time).rounding();
     // Before the last step it is only a bound of the depth.
     let d = match step.beyond {
-        Some(_) => format!(r"$d{left} \ge {}$", number(step.distance)),
+        Some(_) => format!(r"$d{left} \ge {}$", least(step.distance)),
         None => format!("$d{left} {}$", Quantity::exactly(step.distance).equals(rounding)),
     };
     sketch.label(Label::new("d", d, beside, Role::Translation));

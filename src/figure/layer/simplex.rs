@@ -10,7 +10,7 @@ use crate::figure::cue::Cue;
 use crate::figure::sketch::{
     Anchor, LARGE_MARKER, Label, MARKER, Marker, Outline, Pen, Rank, Size, Sketch, Wash, Weight,
 };
-use crate::figure::text::{number, whole_and_parts};
+use crate::figure::text::{self, number, whole_and_parts};
 use crate::geometry::{DVec2, perp};
 use crate::scene::NOTES;
 use crate::trace::{Event, phrase};
@@ -342,7 +342,7 @@ fn least(sketch: &mut Sketch, foot: DVec2, side: DVec2) {
     let offset = if perp(foot).dot(side) > 0.0 { -LEAST } else { LEAST };
     sketch.part("least").dimension(DVec2::ZERO, foot, offset, Pen::dimension(Role::Ink));
     let anchor = Anchor::Beside { from: DVec2::ZERO, to: foot, offset };
-    let text = format!("at least ${}$", number(foot.length()));
+    let text = format!("at least ${}$", text::least(foot.length()));
     sketch.label(Label::new("least", text, anchor, Role::Ink).rank(Rank::Measure).size(Size::Note));
 }
 

@@ -6,6 +6,9 @@ use crate::geometry::{power_of_ten, read};
 /// The digits of a number on a figure where nobody asks for others.
 pub(crate) const USUAL: Digits = Digits::Usual;
 
+/// As many digits as a number has that has many, in every case.
+const THREE: Digits = Digits::Significant(TOLD);
+
 /// The part of a number that rounding may have added to it in a few operations.
 const ROUNDING: f64 = 1e-14;
 
@@ -36,6 +39,23 @@ pub(crate) fn rounded_up(value: f64) -> String {
 #[must_use]
 pub(crate) fn rounded_down(value: f64) -> String {
     USUAL.at_most(value)
+}
+
+/// A lower bound as LaTeX, to three digits in every case: in a picture, what is bounded is not beside it.
+#[must_use]
+pub(crate) fn least(value: f64) -> String {
+    bound(value, rounded_down(value), THREE.at_most(value))
+}
+
+/// An upper bound as LaTeX, as [`least`] has a lower one.
+#[must_use]
+pub(crate) fn most(value: f64) -> String {
+    bound(value, rounded_up(value), THREE.at_least(value))
+}
+
+/// What a bound is written as where that has few digits, else as `short`.
+fn bound(value: f64, usual: String, short: String) -> String {
+    in_math(if usual == rounded(value, value) { &usual } else { &short })
 }
 
 /// A double as LaTeX, as [`rounded`] has it.
@@ -241,6 +261,20 @@ mod tests {
         assert_eq!(rounded(9.999_123, 9.999_123), "10.0");
         assert_eq!(rounded(0.000_999_912, 0.000_999_912), "0.00100");
         assert_eq!(number(4.293_51), "4.29");
+    }
+
+    #[test]
+    fn a_bound_in_a_picture_is_a_bound_as_it_is_written() {
+        for (value, down, up) in [
+            (1.388_73, "1.38", "1.39"),
+            (2.236_07, "2.23", "2.24"),
+            (2.6, "2.6", "2.6"),
+            (0.361_0, "0.361", "0.361"),
+            (0.360_54, "0.360", "0.361"),
+            (0.0, "0", "0"),
+        ] {
+            assert_eq!([least(value), most(value)], [down, up], "{value}");
+        }
     }
 
     #[test]
