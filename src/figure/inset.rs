@@ -65,7 +65,7 @@ impl Inset {
         match asked(panel)? {
             Detail::Rectangle(_) if Self::is_beside(panel, sketched) => None,
             Detail::Rectangle(rectangle) => Self::of_rectangle(panel, rectangle, sketched),
-            Detail::Small => small::enlarged(sketched, before),
+            Detail::Small => small::enlarged(sketched, before, asked_corner(panel)),
         }
     }
 
@@ -82,20 +82,19 @@ impl Inset {
 
     /// The inset of a rectangle of the panel's space; `None` where it is too large to be enlarged.
     fn of_rectangle(panel: &Panel, [x0, y0, x1, y1]: [f64; 4], sketched: &Sketched) -> Option<Self> {
-        let Sketched { frame, obstacles, .. } = sketched;
+        let Sketched { frame, obstacles, free: cell, .. } = sketched;
         let (lo, hi) = (DVec2::new(x0, y0), DVec2::new(x1, y1));
         let detail = Rect::new(place(frame, lo), place(frame, hi));
-        let cell = frame.panel;
         let room = (SHARE * cell.width() / detail.width()).min(SHARE * cell.height() / detail.height());
         if !(detail.width() > 0.0 && detail.height() > 0.0) {
             return None;
         }
-        let asked = panel.inset_at.as_ref().map(|word| word.value.as_str());
-        let corners = CORNERS.iter().filter(|(word, _)| asked.is_none_or(|asked| asked == *word));
+        let corner = asked_corner(panel);
+        let corners = CORNERS.iter().filter(|(_, at)| corner.is_none_or(|corner| corner == *at));
         let all = factors(room);
         let largest = all.first().copied()?;
         let places =
-            corners.flat_map(|(_, corner)| all.iter().map(|&f| (f, enlarged(&cell, &detail, *corner, f))));
+            corners.flat_map(|(_, corner)| all.iter().map(|&f| (f, enlarged(cell, &detail, *corner, f))));
         let cost =
             |&(f, rect): &(f64, Rect)| hidden(&rect, &detail, obstacles) + SMALLER * (1.0 - f / largest);
         let (factor, rect) = places.min_by(|a, b| cost(a).total_cmp(&cost(b)))?;
@@ -275,6 +274,12 @@ fn enlarged(cell: &Rect, detail: &Rect, [right, down]: [f64; 2], factor: f64) ->
     let x = cell.center().x + right * (0.5 * cell.width() - MARGIN - half[0]);
     let y = cell.center().y + down * (0.5 * cell.height() - MARGIN - half[1]);
     Rect { x0: x - half[0], y0: y - half[1], x1: x + half[0], y1: y + half[1] }
+}
+
+/// The corner that a panel asks for, as [`CORNERS`] has it.
+fn asked_corner(panel: &Panel) -> Option<[f64; 2]> {
+    let asked = &panel.inset_at.as_ref()?.value;
+    CORNERS.iter().find(|(word, _)| word == asked).map(|&(_, corner)| corner)
 }
 
 /// How much an inset would hide, in page pixels of line.

@@ -222,6 +222,7 @@ fn of_case(picture: &Picture, case: &Case, at: &Range<usize>) -> Vec<Panel> {
     let mut panels = panels(picture, case.scene, at);
     for layer in panels.iter_mut().filter_map(|panel| panel.layers.as_mut()).flatten() {
         until_undecided(layer, case);
+        overlap_at_start::slow_down(layer, case);
     }
     panels
 }

@@ -222,3 +222,19 @@ fn the_bound_of_two_bodies_that_turn_has_the_numbers_of_both() {
     let arcs = figure.panels.iter().map(|p| p.placed.iter().filter(|label| label.key == "L").count());
     assert_eq!(arcs.collect::<Vec<_>>(), [2]);
 }
+
+#[test]
+fn bodies_that_overlap_are_seen_however_fast_they_are() {
+    for speed in [6.0, 60.0, 1e6] {
+        let text = format!(
+            "shapes.A = {{ kind = 'box', half_extents = [1, 0.5], velocity = [{speed:?}, -1] }}
+            shapes.B = {{ kind = 'box', half_extents = [1, 1], position = [0.5, 0.5] }}
+            query = {{ kind = 'time-of-impact', of = ['A', 'B'] }}"
+        );
+        let scene = open_text("s.toml", &text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "s");
+        let frame = figure.panels[0].frame;
+        assert!(2.0 * frame.scale > 0.15 * frame.panel.width(), "{speed}: {frame:?}");
+    }
+}

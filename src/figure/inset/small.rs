@@ -61,6 +61,8 @@ const PLACES: [[f64; 2]; 21] = [
 const WITHIN: f64 = 40.0;
 /// How much of a line an inset may hide, page pixels: what it takes to be recognised stays in view.
 const HIDES: f64 = 60.0;
+/// How much of a line an inset hides at most that does not hide its own detail, page pixels.
+const ANYTHING: f64 = 1e9;
 /// How much of a line an inset may hide to be as wide, or as high, as its panel, page pixels.
 const LARGER: f64 = 200.0;
 /// How much of a line an inset may hide rather than stand elsewhere than in the frame before, page pixels.
@@ -80,37 +82,55 @@ fn unseen(sketched: &Sketched, seen: f64) -> Option<&Detail> {
 /// Whether something is too small to be seen, and no place is free for an inset of it, as wide as its panel
 /// allows one to be.
 pub(super) fn lacks_room(sketched: &Sketched) -> bool {
-    let widest = (SHARES[0] * sketched.frame.panel.width()).min(ROOMY);
-    let lacks = |found: &Detail| among(sketched, found, None, widest.max(SMALLEST[0])).is_none();
+    let widest = (SHARES[0] * sketched.free.width()).min(ROOMY);
+    let lacks = |found: &Detail| among(sketched, found, Wanted::default(), widest.max(SMALLEST[0])).is_none();
     unseen(sketched, SEEN).is_some_and(lacks)
 }
 
-/// The inset of what is too small to be seen; `None` where nothing is, or where one would hide too much.
-pub(super) fn enlarged(sketched: &Sketched, before: Option<Rect>) -> Option<Inset> {
+/// Where an inset had better stand.
+#[derive(Clone, Copy, Default)]
+struct Wanted {
+    /// Where it stood in the frame before of a figure that moves.
+    before: Option<Rect>,
+    /// The corner that the scene names, whatever it hides there but its detail.
+    corner: Option<[f64; 2]>,
+}
+
+/// The inset of what is too small to be seen, in the `corner` that the scene names if it does; `None` where
+/// nothing is, or where one would hide too much.
+pub(super) fn enlarged(sketched: &Sketched, before: Option<Rect>, corner: Option<[f64; 2]>) -> Option<Inset> {
     let found = unseen(sketched, if before.is_some() { STILL_SEEN } else { SEEN })?;
-    among(sketched, found, before, ROOMY).or_else(|| among(sketched, found, before, SMALLEST[0]))
+    let wanted = Wanted { before, corner };
+    among(sketched, found, wanted, ROOMY).or_else(|| among(sketched, found, wanted, SMALLEST[0]))
 }
 
 /// The inset of a detail that is at least so wide, page pixels, and hides least.
-fn among(sketched: &Sketched, found: &Detail, before: Option<Rect>, narrowest: f64) -> Option<Inset> {
-    let frame = &sketched.frame;
+fn among(
+    sketched: &Sketched,
+    found: &Detail,
+    Wanted { before, corner }: Wanted,
+    narrowest: f64,
+) -> Option<Inset> {
+    let (frame, cell) = (&sketched.frame, &sketched.free);
     let shares = SHARES.iter().flat_map(|wide| SHARES.map(|high| [*wide, high]));
     let most = most(sketched, found);
     let sizes = shares.filter_map(|share| {
-        let found = sized(frame, (&found.rect, most), share);
+        let found = sized(cell, (&found.rect, most), share);
         let (factor, size) = found.filter(|(_, size)| size[0] >= narrowest)?;
         Some((share, factor, size))
     });
     let places = sizes.flat_map(|(share, factor, size)| PLACES.map(|at| (share, factor, size, at)));
+    let places = places.filter(|&(.., at)| corner.is_none_or(|corner| corner == at));
+    let most_hidden = if corner.is_some() { ANYTHING } else { HIDES };
     let candidate = |(share, factor, size, at): ([f64; 2], f64, [f64; 2], [f64; 2])| {
-        let rect = placed(&frame.panel, size, at);
+        let rect = placed(cell, size, at);
         let detail = about(found.rect.center(), size.map(|edge| 0.5 * edge / factor));
         let hides = hidden(&rect, &detail, &sketched.obstacles);
         let rests = before.is_some_and(|before| (before.center() - rect.center()).length() < 1.0);
         let within = at.iter().all(|along| along.abs() < 1.0);
         let cost = hides - LARGER * (share[0] + share[1]) + if within { WITHIN } else { 0.0 }
             - if rests { RESTS } else { 0.0 };
-        (hides <= HIDES).then_some((cost, factor, rect, detail))
+        (hides <= most_hidden).then_some((cost, factor, rect, detail))
     };
     let best = places.filter_map(candidate).min_by(|a, b| a.0.total_cmp(&b.0));
     let (_, factor, rect, detail) = best?;
@@ -138,8 +158,8 @@ fn diagonal(rect: &Rect) -> f64 {
 
 /// How many times an inset of a share of its panel enlarges a detail, at `most`, and its width and height;
 /// `None` where that is too small a panel, or too little.
-fn sized(frame: &Frame, (detail, most): (&Rect, f64), share: [f64; 2]) -> Option<(f64, [f64; 2])> {
-    let size = [frame.panel.width(), frame.panel.height()];
+fn sized(cell: &Rect, (detail, most): (&Rect, f64), share: [f64; 2]) -> Option<(f64, [f64; 2])> {
+    let size = [cell.width(), cell.height()];
     let size = [0, 1].map(|k| (share[k] * size[k]).min(LARGEST[k]));
     if size[0] < SMALLEST[0] || size[1] < SMALLEST[1] {
         return None;

@@ -56,7 +56,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let seen = lo.cmple(DVec2::ZERO) & hi.cmpge(DVec2::ZERO);
     if options.flag("ticks", false) && sketch.has_numbers() {
         // An axis that ran through a number would be its minus sign.
-        lo += sketch.px(1.0) * ticks(sketch, context, options, pen);
+        let reach = ticks(sketch, context, options, pen);
+        lo += sketch.px(1.0) * reach;
+        sketch.set_aside([reach.x, reach.y]);
     }
     if !(options.flag("lines", true) && sketch.has_axes()) {
         return;

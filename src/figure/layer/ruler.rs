@@ -120,7 +120,7 @@ fn base((lo, hi): (f64, f64), step: f64) -> f64 {
 
 /// The least of 1, 2 and 5 times a power of ten that is `least` or more; `None` where there is no such
 /// double.
-fn round_up(least: f64) -> Option<f64> {
+pub(in crate::figure) fn round_up(least: f64) -> Option<f64> {
     if !(least.is_finite() && least > 0.0) {
         return None;
     }

@@ -103,6 +103,8 @@ pub(crate) struct Sketch<'f> {
     passed: Extent,
     /// What the panel is about and may be too small to see.
     details: Vec<Detail>,
+    /// The page rectangle beside the numbers along the panel's edges.
+    free: Rect,
     /// Points of all lines so far.
     points: usize,
     /// Million page pixels of all areas so far.
@@ -131,6 +133,8 @@ pub(crate) struct Sketched {
     pub(crate) passed: Extent,
     /// What the panel is about and may be too small to see.
     pub(crate) details: Vec<Detail>,
+    /// The page rectangle beside the numbers along the panel's edges.
+    pub(crate) free: Rect,
     /// Points of all lines; beyond [`MAX_POINTS`] what was drawn is not kept.
     pub(crate) points: usize,
     /// Million page pixels of all areas.
@@ -166,6 +170,7 @@ impl<'f> Sketch<'f> {
             extent: None,
             passed: None,
             details: Vec::new(),
+            free: frame.panel,
             points: 0,
             painted: 0.0,
             cues: Cues::default(),
@@ -184,7 +189,7 @@ impl<'f> Sketch<'f> {
     /// What all layers drew and asked for.
     pub(crate) fn finish(self) -> Sketched {
         let Self { frame, mut layers, obstacles, requests, unnamed, holds, extent, .. } = self;
-        let Self { passed, details, points, painted, .. } = self;
+        let Self { passed, details, free, points, painted, .. } = self;
         construction::end_at_lines(&mut layers);
         let cues = self.cues.known;
         Sketched {
@@ -197,6 +202,7 @@ impl<'f> Sketch<'f> {
             extent,
             passed,
             details,
+            free,
             points,
             painted,
             cues,

@@ -87,6 +87,13 @@ impl Sketch<'_> {
         Some(Words { line, width, ascent, descent })
     }
 
+    /// Keeps strips along the panel's left and lower edge for numbers, so wide, page pixels.
+    pub(crate) fn set_aside(&mut self, [left, low]: [f64; 2]) {
+        let Rect { x0, y1, .. } = self.frame.panel;
+        self.free.x0 = self.free.x0.max(x0 + left);
+        self.free.y1 = self.free.y1.min(y1 - low);
+    }
+
     /// Writes a line of text on the page, its baseline beginning at `origin`, and makes labels keep off it;
     /// without effect where the scene turned this layer's labels off.
     pub(crate) fn write(&mut self, words: &Words, origin: Point, role: Role) -> &mut Self {

@@ -271,3 +271,16 @@ fn a_body_that_the_mark_of_its_contact_covers_is_seen_in_an_inset() {
         }
     }
 }
+
+#[test]
+fn a_corner_that_is_named_holds_for_what_is_small_and_hides_no_numbers() {
+    for (at, [right, down]) in [("NE", [1.0, -1.0]), ("NW", [-1.0, -1.0]), ("SW", [-1.0, 1.0])] {
+        let figure = drawn(&format!("inset = 'small', inset_at = '{at}'"));
+        let (cell, rect) = (figure.panels[0].frame.panel, figure.insets[0].frame.panel);
+        let off = rect.center() - cell.center();
+        assert!(right * off.dx > 0.0 && down * off.dy > 0.0, "{at}: {off:?}");
+        // The rows of numbers: letters of 12, and a gap on both sides.
+        let apart = [rect.x0 - cell.x0, cell.y1 - rect.y1];
+        assert!(apart[0] > 20.0 && apart[1] > 16.0, "{at}: {apart:?}");
+    }
+}
