@@ -77,6 +77,13 @@ pub enum Fault {
         /// How many it has.
         count: usize,
     },
+    /// A flag of a layer that makes no difference.
+    IdleOption {
+        /// The name of the layer.
+        layer: &'static str,
+        /// The option.
+        option: &'static str,
+    },
     /// A warning: the list of a panel's layers is empty, and so is the panel.
     NoLayers,
     /// A note: an option of a layer has nothing to draw here, though the layer has.
@@ -203,6 +210,7 @@ impl Fault {
             | Self::OtherStep { .. }
             | Self::NothingToDraw { .. }
             | Self::NothingForOption { .. }
+            | Self::IdleOption { .. }
             | Self::NothingPlays { .. }
             | Self::StillText { .. }
             | Self::NoStepLeft { .. }
@@ -229,6 +237,7 @@ impl Explain for Fault {
             | Self::OtherStep { .. }
             | Self::NothingToDraw { .. }
             | Self::NothingForOption { .. }
+            | Self::IdleOption { .. }
             | Self::NoValue { .. } => codes::NOT_IN_ANSWER.code,
             Self::NothingPlays { .. } | Self::StillText { .. } => codes::NOTHING_PLAYS.code,
             Self::NoStepLeft { .. } => codes::NO_STEP_LEFT.code,

@@ -25,6 +25,7 @@ mod fault;
 mod frame;
 mod grounds;
 mod handle;
+mod idle_option;
 mod inset;
 mod kept;
 mod label_keys;

@@ -169,16 +169,38 @@ impl PanelPlan<'_> {
         }
     }
 
+    /// What every layer draws where the one of an index has other options.
+    pub(crate) fn sketch_with(
+        &self,
+        (index, options): (usize, &Options),
+        (scene, runs, theme): (&Scene, &Runs, &Theme),
+    ) -> Sketched {
+        let context = &self.context(scene, runs);
+        let other = |k| if k == index { Some(options) } else { None };
+        self.drawn_with(begun(self.frame, context, theme), context, other).finish()
+    }
+
     /// What every layer draws in a panel.
     fn drawn<'f>(&self, sketch: Sketch<'f>, context: &Context) -> Sketch<'f> {
+        self.drawn_with(sketch, context, |_| None)
+    }
+
+    /// What every layer draws in a panel, some of them with other options than the scene's.
+    fn drawn_with<'f, 'o>(
+        &'o self,
+        sketch: Sketch<'f>,
+        context: &Context,
+        other: impl Fn(usize) -> Option<&'o Options>,
+    ) -> Sketch<'f> {
         let sketch = sketch.of_layers(self.layers.iter().map(|planned| planned.layer.name));
         let mut sketch = sketch.in_steps(self.in_steps);
-        for planned in &self.layers {
+        for (index, planned) in self.layers.iter().enumerate() {
             if sketch.is_full() {
                 break;
             }
-            sketch.begin_layer(planned.layer.name, planned.options.flag("labels", true));
-            (planned.layer.draw)(&mut sketch, context, &planned.options);
+            let options = other(index).unwrap_or(&planned.options);
+            sketch.begin_layer(planned.layer.name, options.flag("labels", true));
+            (planned.layer.draw)(&mut sketch, context, options);
         }
         sketch
     }

@@ -12,6 +12,7 @@ use super::default_picture;
 use super::describe::Account;
 use super::exercise;
 use super::fault::{Fault, Problem};
+use super::idle_option::idle;
 use super::kept::Kept;
 use super::label_keys::{called, label_keys, replaced};
 use super::language::Language;
@@ -174,6 +175,9 @@ fn resolve<'s>(
         let fitted = fitted.and_then(|()| fit((scene, &runs), theme, &mut layout, &mut panels));
         let said = fitted.and_then(|(sketched, fitted)| {
             warnings.extend(NOTES.then(|| unseen(scene, &panels, &sketched)).into_iter().flatten());
+            let idle = || idle((scene, &runs, theme), &panels, &sketched, &warnings);
+            let idle = NOTES.then(idle).into_iter().flatten();
+            warnings.extend(idle.collect::<Vec<_>>());
             let in_look = (scene, theme, &layout.measures);
             let said = say(in_look, &runs, &panels, &sketched, (&mut problems, &mut warnings));
             said.map(|sought| page = Some((fitted, Kept::of(sketched, sought))))

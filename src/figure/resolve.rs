@@ -223,7 +223,8 @@ impl<'r, 's> Resolver<'r, 's> {
             Fed::Without { option, why } => {
                 if !ours && !is_question {
                     let fault = Fault::NothingForOption { layer: layer.name, option, why };
-                    self.notes.push(Problem::new(fault, span.clone()));
+                    let key = spec.options.iter().find(|(key, _)| key.value == option);
+                    self.notes.push(Problem::new(fault, key.map_or(span, |(key, _)| &key.span).clone()));
                 }
                 return Some(Resolved::Drawn(LayerPlan { layer, options, span: span.clone() }));
             }

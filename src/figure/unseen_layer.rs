@@ -10,7 +10,7 @@ use super::panel::{LayerPlan, PanelPlan};
 use super::sketch::{Anchor, Sketched};
 
 /// What the case is where a layer with options draws nothing, and where one without.
-const LEFT: [&str; 2] = ["its options leave nothing of it", "nothing of it is there at this moment"];
+const LEFT: [&str; 2] = ["with its options nothing of it is seen", "nothing of it is there at this moment"];
 
 /// A warning for each panel that stays empty, and of others a note for each layer that the scene asks for and
 /// that its panel does not show.
@@ -91,7 +91,7 @@ mod tests {
         assert_eq!(notes(seen), [""; 0]);
         let beside = ["out-of-view: what `separation` draws lies beside the panel's `view`"];
         assert_eq!(notes("view = [3.5, 0.5, 6, 2]\nlayers = ['shapes', 'separation']"), beside);
-        let lines = ["not-in-answer: `axes` draws nothing: its options leave nothing of it"];
+        let lines = ["not-in-answer: `axes` draws nothing: with its options nothing of it is seen"];
         assert_eq!(notes("layers = ['shapes', { layer = 'axes', lines = false }]"), lines);
         let support = "space = 'configuration'\nlayers = ['difference', 'support']";
         let parts = ["not-in-answer: `support` draws nothing: no edges face each other"];

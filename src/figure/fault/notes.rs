@@ -16,6 +16,7 @@ impl Fault {
             }
             Self::NoValue { value, why } => write!(f, "a dash stands for `{{={value}}}`: {why}"),
             Self::NothingToDraw { layer, why } => write!(f, "`{layer}` draws nothing: {why}"),
+            Self::IdleOption { layer, option } => write!(f, "`{option}` of `{layer}` changes nothing here"),
             Self::NothingForOption { layer, option, why } => {
                 write!(f, "`{option}` of `{layer}` draws nothing: {why}")
             }
@@ -104,6 +105,7 @@ impl Fault {
             | Self::OtherStep { .. }
             | Self::NothingToDraw { .. }
             | Self::NothingForOption { .. }
+            | Self::IdleOption { .. }
             | Self::NoValue { .. }
             | Self::Scene(_)
             | Self::NoSuchStep { .. }

@@ -121,6 +121,12 @@ impl Options {
         self.given.iter().rev().find(|(n, _)| *n == name).map(|(_, s)| s)
     }
 
+    /// The same without one of them.
+    #[must_use]
+    pub(crate) fn without(&self, name: &str) -> Self {
+        Self { given: self.given.iter().filter(|(given, _)| *given != name).cloned().collect() }
+    }
+
     /// Whether the scene gave an option.
     #[must_use]
     pub(crate) fn gives(&self, name: &str) -> bool {

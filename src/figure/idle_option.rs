@@ -1,0 +1,96 @@
+//! Options that change nothing of what their layer draws, as `centers` of a ghost that has no centre of its own:
+//! found by drawing the panel without them.
+
+use crate::scene::{LayerSpec, Scene, Variant};
+
+use super::fault::{Fault, Problem};
+use super::layer::{OptionSpec, Options, Takes};
+use super::panel::{LayerPlan, PanelPlan};
+use super::runs::Runs;
+use super::sketch::{Request, Sketched};
+use super::theme::Theme;
+
+/// A note for each flag of a scene's layers that is not what holds without it, and makes no difference; `told`
+/// are the notes so far, which say of some options why.
+pub(super) fn idle(
+    (scene, runs, theme): (&Scene, &Runs, &Theme),
+    panels: &[PanelPlan],
+    sketched: &[Sketched],
+    told: &[Problem],
+) -> Vec<Problem> {
+    // A question has not the layers of its answer; a panel with an inset draws twice.
+    if scene.variant == Variant::Question {
+        return Vec::new();
+    }
+    let specs = || scene.panels.iter().flat_map(|panel| panel.layers.iter().flatten());
+    let of_layer = |panel: &PanelPlan, own: &Sketched, (index, planned): (usize, &LayerPlan)| {
+        let Some(spec) = specs().find(|spec| spec.name.span == planned.span) else { return Vec::new() };
+        let is_told =
+            |p: &Problem| planned.span == p.span || spec.options.iter().any(|(key, _)| key.span == p.span);
+        if told.iter().any(is_told) {
+            return Vec::new();
+        }
+        let changes = |option: &OptionSpec| {
+            let other =
+                panel.sketch_with((index, &planned.options.without(option.name)), (scene, runs, theme));
+            differ(own, &other, index)
+        };
+        let idle = planned.layer.options.iter().filter(|option| is_unusual(option, &planned.options));
+        let idle = idle.filter(|option| !changes(option));
+        idle.filter_map(|option| note(spec, planned.layer.name, option.name)).collect()
+    };
+    let of_panel = |(panel, own): (&PanelPlan, &Sketched)| -> Vec<Problem> {
+        let layers = panel.layers.iter().enumerate().filter(|_| panel.source.inset.is_none());
+        layers.flat_map(|planned| of_layer(panel, own, planned)).collect()
+    };
+    panels.iter().zip(sketched).flat_map(of_panel).collect()
+}
+
+/// Whether a scene gives a flag that does not hold without it. A word or a number says which thing is meant,
+/// and may well name the usual one.
+fn is_unusual(option: &OptionSpec, options: &Options) -> bool {
+    let is_other =
+        |usual: bool| option.default == usual.to_string() && options.flag(option.name, usual) != usual;
+    matches!(option.takes, Takes::Flag) && (is_other(true) || is_other(false))
+}
+
+/// Whether two drawings of a panel differ in the layer of an index, or in its labels.
+fn differ(one: &Sketched, other: &Sketched, index: usize) -> bool {
+    let labels = |of: &Sketched| -> Vec<_> {
+        let own = of.requests.iter().filter(|request| request.layer == index);
+        own.map(|Request { label, shown, .. }| (label.clone(), *shown)).collect()
+    };
+    one.layers.get(index) != other.layers.get(index) || labels(one) != labels(other)
+}
+
+/// The note on an option, where it stands.
+fn note(spec: &LayerSpec, layer: &'static str, option: &'static str) -> Option<Problem> {
+    let (key, _) = spec.options.iter().find(|(key, _)| key.value == option)?;
+    Some(Problem::new(Fault::IdleOption { layer, option }, key.span.clone()))
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::figure::plan;
+    use crate::scene::open_text;
+
+    #[test]
+    fn a_flag_that_changes_nothing_is_told_where_it_stands() {
+        let told = |layer: &str| {
+            let text = format!(
+                "shapes.car = {{ kind = 'box', half_extents = [1, 0.5] }}
+                 shapes.dog = {{ kind = 'polygon', vertices = [[0, 0], [1, 1], [0.3, 2]], position = [4, 0] }}
+                 query = {{ kind = 'separation', of = ['car', 'dog'], algorithm = 'separating-axes' }}
+                 panels = [{{ layers = ['shapes', {layer}] }}]"
+            );
+            let scene = open_text("s", &text).unwrap().scene;
+            let notes = plan(&scene).unwrap().warnings;
+            notes.iter().map(|p| format!("{} {}", &text[p.span.clone()], p.fault)).collect::<Vec<_>>()
+        };
+        let idle =
+            |option: &str, layer: &str| [format!("{option} `{option}` of `{layer}` changes nothing here")];
+        assert_eq!(told("{ layer = 'shapes', of = 'car', dotted = true }"), idle("dotted", "shapes"));
+        assert_eq!(told("{ layer = 'shapes', dotted = false }"), [""; 0], "what holds without it");
+        assert_eq!(told("{ layer = 'separation', points = true }"), [""; 0]);
+    }
+}
