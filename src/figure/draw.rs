@@ -24,6 +24,7 @@ use super::steps::{Scope, numbered};
 use super::text::overridden;
 use super::theme::{Side, Theme};
 use super::tongue::tongue;
+use super::words_in_steps::let_captions_come;
 
 /// The shares of their scale at which panels without a `view` are tried in turn, where labels stand badly: of
 /// a panel of 400 px the second leaves 40 more on each side, room for a leader line and a name.
@@ -191,9 +192,7 @@ pub(crate) fn draw_unjudged(plan: &Plan, theme: &Theme, id: &str, before: Option
         fill_opacity: side.fill_opacity,
     });
     let (steps, note) = numbered(&mut items, &scopes, (plan.scene, &plan.runs));
-    if let Some(caption) = items.last_mut().filter(|_| plan.caption.is_answer) {
-        caption.for_each_shown(&|shown| shown.since = steps.len().max(1));
-    }
+    let_captions_come(&mut items, &scopes, plan, steps.len());
     tint(&mut items);
     let drawing = Drawing {
         width: plan.page.width,

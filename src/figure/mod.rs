@@ -69,6 +69,7 @@ mod unnamed;
 mod unseen_layer;
 mod view;
 mod whole;
+mod words_in_steps;
 
 #[cfg(test)]
 use crate::scene::Scene;

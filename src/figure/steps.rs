@@ -145,7 +145,7 @@ fn one(joined: &[Step], words: &StepWords) -> Step {
 }
 
 /// The numbers by which items come and go.
-fn collect(item: &Item, used: &mut BTreeSet<usize>) {
+pub(super) fn collect(item: &Item, used: &mut BTreeSet<usize>) {
     match item {
         Item::Group(Group { items, .. }) => items.iter().for_each(|item| collect(item, used)),
         Item::Path(Path { shown, .. }) | Item::Text(Text { shown, .. }) => {

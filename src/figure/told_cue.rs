@@ -37,7 +37,7 @@ impl Told {
     pub(super) fn of(
         (scene, voice): (&Scene, Voice),
         runs: &[Arc<Run>],
-        (cue, all): (Cue, &[Cue]),
+        (cue, all_cues): (Cue, &[Cue]),
     ) -> Option<Self> {
         let (run, event) = runs.iter().find_map(|run| Some((run, run.event_of(&cue)?)))?;
         let title = step::title(event, cue.part, voice);
@@ -61,7 +61,11 @@ impl Told {
                 let all = &run.trace.events;
                 let (before, after) = (&all[..cue.event], &all[cue.event + 1..]);
                 let title = growth::title(before, event, after, voice).unwrap_or(title);
-                tell(title, step::sentence_of_part(event, cue.part, voice))
+                let said = growth::sentence(event, after.iter(), voice);
+                let said = said.unwrap_or_else(|| step::sentence_of_part(event, cue.part, voice));
+                let held = growth::held(before, event, voice);
+                let held = held.filter(|(simplex, _)| !shows(simplex, run, all_cues)).map(|(_, said)| said);
+                tell(title, held.into_iter().chain([said]).collect::<Vec<_>>().join(" "))
             }
             _ => {
                 let title = taken::title(&run.trace.events, cue.event, voice).unwrap_or(title);
@@ -69,7 +73,7 @@ impl Told {
                 let search = || told::Search::of(run.events());
                 let end = may_be_the_end.then(search).and_then(|search| search.end(event, voice));
                 let said = || step::sentence_of_part(event, cue.part, voice);
-                let advanced = || advanced((run, event), (cue, all), voice);
+                let advanced = || advanced((run, event), (cue, all_cues), voice);
                 tell(title, end.or_else(advanced).unwrap_or_else(said))
             }
         })
@@ -100,6 +104,11 @@ pub(super) fn result((scene, voice): (&Scene, Voice), runs: &[Arc<Run>], run: &R
     let beside = |other: &&Arc<Run>| other.time == run.time && other.separation().is_some();
     let other = runs.iter().find(beside).map(Arc::as_ref);
     Account::beside(scene, run, other).sentence_of_bodies(voice.names)
+}
+
+/// Whether a mark of the figure comes with an event.
+fn shows(event: &Event, run: &Run, cues: &[Cue]) -> bool {
+    cues.iter().filter_map(|cue| run.event_of(cue)).any(|shown| std::ptr::eq(shown, event))
 }
 
 /// Whether a cue of B ⊖ A is that of the whole.

@@ -204,22 +204,22 @@ phrases! {
     CLOSEST_FIRST: "; they are closest at the start, * apart",
         "; am nächsten sind sie sich am Anfang, mit Abstand *",
         " ; ils sont au plus près au début, à une distance de *",
-        "; están más cerca al principio, a una distancia de *";
+        "; su menor distancia es al principio: *";
     /// The closest approach: when, how far apart.
     CLOSEST: "; they come closest at t = *, * apart",
         "; am nächsten sind sie sich bei t = *, mit Abstand *",
         " ; ils sont au plus près à t = *, à une distance de *",
-        "; están más cerca en t = *, a una distancia de *";
+        "; su menor distancia es en t = *: *";
     /// The closest approach, as near as which they come again: one moment of them, how far apart.
     CLOSEST_AGAIN: "; they come closest more than once, as at t = *, * apart",
         "; am nächsten sind sie sich mehrmals, so bei t = *, mit Abstand *",
         " ; ils sont au plus près plus d’une fois, comme à t = *, à une distance de *",
-        "; están más cerca más de una vez, como en t = *, a una distancia de *";
+        "; su menor distancia se da más de una vez, como en t = *: *";
     /// Closest for a while: from when to when, how far apart.
     CLOSEST_WHILE: "; they are closest from t = * to t = *, * apart",
         "; am nächsten sind sie sich von t = * bis t = *, mit Abstand *",
         " ; ils sont au plus près de t = * à t = *, à une distance de *",
-        "; están más cerca de t = * a t = *, a una distancia de *";
+        "; su menor distancia se da de t = * a t = *: *";
     /// Bodies that the query is not about.
     BESIDE: "Beside, and asked nothing: *. ",
         "Daneben, ohne Frage: *. ",

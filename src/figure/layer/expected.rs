@@ -144,7 +144,7 @@ fn contradiction(sketch: &Sketch, theirs: &Expected) -> Option<String> {
     let (separation, [p, q]) = (theirs.separation?, theirs.points?);
     let apart = p.distance(q);
     let is_seen = sketch.on_page((apart - separation.abs()).abs()) > SEEN;
-    is_seen.then(|| format!("their points: ${}$", number(apart)))
+    is_seen.then(|| format!("their points ${}$ apart", number(apart)))
 }
 
 /// The separation that is expected, as a line of a label.
@@ -231,7 +231,7 @@ mod tests {
             let plan = plan(&scene).unwrap();
             let figure = draw(&plan, plan.theme, "s");
             let placed = figure.panels[0].placed.iter().flat_map(|label| &label.lines);
-            let said = placed.filter(|(_, line)| line.markup == "their points: $1.05$").count();
+            let said = placed.filter(|(_, line)| line.markup == "their points $1.05$ apart").count();
             assert_eq!(said, usize::from(says), "{separation}");
         }
     }

@@ -2,6 +2,7 @@
 //! it does without.
 
 use super::phrases::BOTH;
+use super::phrases::events::{HELD, SIMPLEX_ENDS, SIMPLEX_GROWS};
 use super::phrases::steps::{ADD, AROUND, BEGIN_AT, BEGIN_WITH, DROP, NONE_BEYOND, NOTHING_NEW};
 use super::words::Voice;
 use crate::geometry::{DVec2, begun};
@@ -43,6 +44,39 @@ pub(crate) fn title(before: &[Event], event: &Event, after: &[Event], voice: Voi
     Some(if is_last && is_found { voice.say(&NONE_BEYOND, &[&title]) } else { title })
 }
 
+/// What a simplex says that knows what comes `after` it: the vertex that is found where it says to look, or that
+/// there is none. `None` of another event, and of a simplex that holds the origin.
+#[must_use]
+pub(crate) fn sentence<'e>(
+    event: &Event,
+    mut after: impl Iterator<Item = &'e Event>,
+    voice: Voice,
+) -> Option<String> {
+    let Event::SimplexUpdated { vertices: now, closest, direction } = event else { return None };
+    if *closest == DVec2::ZERO {
+        return None;
+    }
+    let next = after.find_map(|later| match later {
+        Event::SimplexUpdated { vertices, .. } => Some(vertices),
+        _ => None,
+    });
+    let [all, closest, way] = [voice.points(now), voice.point(*closest), voice.point(*direction)];
+    let found = next.map(|next| next.iter().find(|p| !now.contains(p)));
+    match found {
+        Some(found) => Some(voice.say(&SIMPLEX_GROWS, &[&all, &closest, &way, &voice.point(*found?)])),
+        None => Some(voice.say(&SIMPLEX_ENDS, &[&all, &closest, &way])),
+    }
+}
+
+/// The simplex around the origin from which a search goes on with its first polytope, and what a reader is told
+/// of it who has not seen it; `None` of another event.
+#[must_use]
+pub(crate) fn held<'e>(before: &'e [Event], event: &Event, voice: Voice) -> Option<(&'e Event, String)> {
+    let is_polytope = |event: &Event| matches!(event, Event::PolytopeExpanded { .. });
+    let last = before.iter().rev().find(|earlier| vertices(earlier).is_some())?;
+    (is_polytope(event) && !is_polytope(last)).then(|| (last, voice.word(&HELD)))
+}
+
 /// What came and what went.
 fn changed(last: &[DVec2], now: &[DVec2], voice: Voice) -> String {
     let lacks = |of: &[DVec2], all: &[DVec2]| -> Vec<String> {
@@ -80,6 +114,10 @@ mod tests {
         ];
         let names = crate::geometry::Names::default();
         let voice = Voice::english(&names);
+        let said = |k: usize| sentence(&all[k], all[k + 1..].iter(), voice).unwrap();
+        assert!(said(0).ends_with("so look along (-9, -2): farthest there is (-1, 7)."), "{}", said(0));
+        assert!(said(2).starts_with("The simplex is (-1, 7) and (5, 0); closest"), "{}", said(2));
+        assert!(said(2).ends_with("nothing is farther along (1, -7): the search ends."), "{}", said(2));
         let titles: Vec<_> = (0..3).filter_map(|k| title(&all[..k], &all[k], &all[k + 1..], voice)).collect();
         assert_eq!(
             titles,

@@ -54,11 +54,14 @@ pub(crate) fn all_phrases() -> impl Iterator<Item = &'static Phrase> {
 pub fn story(trace: &Trace, names: &Names) -> String {
     let (mut text, voice) = (String::new(), Voice::english(names));
     let search = told::Search::of(&trace.events);
-    for (k, event) in told::told(trace).enumerate() {
+    let all: Vec<&Event> = told::told(trace).collect();
+    for (k, &event) in all.iter().enumerate() {
         if k > 0 && matches!(event, Event::Started { .. }) {
             text.push('\n');
         }
-        text.push_str(&search.end(event, voice).unwrap_or_else(|| sentence_in(event, voice)));
+        let grown = || growth::sentence(event, all[k + 1..].iter().copied(), voice);
+        let said = search.end(event, voice).or_else(grown);
+        text.push_str(&said.unwrap_or_else(|| sentence_in(event, voice)));
         text.push('\n');
     }
     text

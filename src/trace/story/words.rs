@@ -95,7 +95,12 @@ impl<'n> Voice<'n> {
 
     /// Points, one after the other.
     pub(super) fn points(self, vertices: &[DVec2]) -> String {
-        vertices.iter().map(|&p| self.point(p)).collect::<Vec<_>>().join(" ")
+        let all: Vec<String> = vertices.iter().map(|&p| self.point(p)).collect();
+        match &all[..] {
+            [] => String::new(),
+            [one] => one.clone(),
+            [first @ .., last] => self.say(&BOTH, &[&first.join(self.tongue.between()), last]),
+        }
     }
 
     /// A distance from the boundary in words: "2 inside" or "2 away".

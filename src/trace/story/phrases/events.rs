@@ -178,11 +178,27 @@ phrases! {
         "Das Simplex ist *; dem Ursprung am nächsten liegt *, also weiter entlang *.",
         "Le simplexe est * ; le plus proche de l’origine est *, donc chercher le long de *.",
         "El símplex es *; lo más cercano al origen es *, así que se busca a lo largo de *.";
+    /// A simplex as before, and the vertex that is farthest there: vertices, the point closest to the origin,
+    /// where to look, what is found there.
+    SIMPLEX_GROWS: "The simplex is *; closest to the origin is *, so look along *: farthest there is *.",
+        "Das Simplex ist *; dem Ursprung am nächsten liegt *, also weiter entlang *: am weitesten dort liegt *.",
+        "Le simplexe est * ; le plus proche de l’origine est *, donc chercher le long de * : le plus loin y est *.",
+        "El símplex es *; lo más cercano al origen es *, así que se busca a lo largo de *: lo más lejano allí es *.";
+    /// The last simplex outside the origin: vertices, the point closest to the origin, where nothing is.
+    SIMPLEX_ENDS: "The simplex is *; closest to the origin is *, and nothing is farther along *: the search ends.",
+        "Das Simplex ist *; dem Ursprung am nächsten liegt *, und weiter entlang * liegt nichts: Die Suche endet.",
+        "Le simplexe est * ; le plus proche de l’origine est *, et rien n’est plus loin le long de * : c’est fini.",
+        "El símplex es *; lo más cercano al origen es *, y nada está más lejos a lo largo de *: se acabó.";
     /// A simplex around the origin, or through it: vertices.
     SIMPLEX_HOLDS: "The simplex is *; the origin is in it.",
         "Das Simplex ist *; der Ursprung liegt darin.",
         "Le simplexe est * ; l’origine est dedans.",
         "El símplex es *; el origen está dentro.";
+    /// What goes before the first polytope where its simplex is not told.
+    HELD: "A simplex of the search holds the origin; the polytope grows from it.",
+        "Ein Simplex der Suche enthält den Ursprung; daraus wächst das Polytop.",
+        "Un simplexe de la recherche contient l’origine ; le polytope en part.",
+        "Un símplex de la búsqueda contiene el origen; de él parte el politopo.";
     /// A polytope: count, vertices, how near its nearest edge is, along what, and what is beyond.
     POLYTOPE: "The polytope has * vertices, *; its nearest edge is * from the origin along *; *.",
         "Das Polytop hat * Ecken, *; seine nächste Kante ist * vom Ursprung entfernt, entlang *; *.",

@@ -42,7 +42,7 @@ phrases! {
     CLOSEST: "* come closest at **: * apart along *, and never less*.",
         "* kommen sich am nächsten bei **: * voneinander entfernt, entlang *, und nie weniger*.",
         "* sont au plus près à ** : une distance de * le long de *, et jamais moins*.",
-        "* están más cerca en **: a * a lo largo de *, y nunca menos*.";
+        "* tienen su menor distancia en **: * a lo largo de *, y nunca menos*.";
     /// At the beginning.
     BEGINS: ", where the motion begins",
         ", am Anfang der Bewegung",
