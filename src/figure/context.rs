@@ -60,17 +60,6 @@ pub(crate) fn whole_turns(turns: f64, most: u32) -> Option<u32> {
     (1..=most).find(|&whole| f64::from(whole) >= turns)
 }
 
-/// What becomes of a panel in a figure that plays.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Play {
-    /// The figure does not play.
-    No,
-    /// It stands still while others show a moment, in [0, 1].
-    Stands(f64),
-    /// It shows one moment after the other.
-    Moves,
-}
-
 /// What a layer may know of the figure, at its panel's moment.
 pub(crate) struct Context<'f> {
     /// The scene that the figure shows.
@@ -82,7 +71,7 @@ pub(crate) struct Context<'f> {
     /// The algorithm's step that the panel shows, from 1.
     pub(crate) step: Option<usize>,
     /// What becomes of the panel in a figure that plays.
-    pub(crate) play: Play,
+    pub(crate) play: super::played::Play,
     /// The algorithm runs of the figure so far, to which the layers add.
     pub(crate) runs: &'f Runs,
 }

@@ -4,11 +4,12 @@
 use crate::scene::{self, LayerSpec, NOTES, Scene, Space};
 
 use super::called::{Called, KEYS, Replaced};
-use super::context::{Context, Play};
+use super::context::Context;
 use super::default_picture::layers_of_all;
 use super::fault::{Fault, Problem};
 use super::layer::{Fed, Layer, Options, find, is_key};
 use super::panel::PanelPlan;
+use super::played::Play;
 use super::runs::Runs;
 use super::text::{label_key, overridden};
 

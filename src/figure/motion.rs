@@ -10,7 +10,6 @@ use crate::drawing::{Drawing, MotionFrame};
 use crate::scene::{Scene, Spanned};
 
 use super::clock::{self, Clock};
-use super::context::Play;
 use super::draw::{Figure, draw, draw_after};
 use super::fault::{Fault, Problem};
 use super::frame::{Frame, union};
@@ -18,7 +17,7 @@ use super::kept::Kept;
 use super::label_keys::called;
 use super::limits::{MAX_POINTS, within};
 use super::plan::{Plan, panels_of, say};
-use super::played::Played;
+use super::played::{Play, Played};
 use super::runs::Runs;
 use super::sketch::Sketched;
 use super::text::Decimal;

@@ -7,7 +7,7 @@ use std::ops::Range;
 use crate::drawing::Rect;
 use crate::scene::{self, Detail, Panel, Scene, Spanned};
 
-use super::context::{Context, Moment, Play};
+use super::context::{Context, Moment};
 use super::cue::Cue;
 use super::frame::{Extent, Frame};
 use super::inset::Inset;
@@ -15,6 +15,7 @@ use super::layer::{LabelKey, Layer, Options, is_chart};
 use super::lettering::Lettering;
 use super::limits::MAX_POINTS;
 use super::page::Measures;
+use super::played::Play;
 use super::runs::Runs;
 use super::sketch::{Request, Size, Sketch, Sketched};
 use super::theme::Theme;

@@ -11,13 +11,14 @@ use crate::geometry::{DVec2, Side};
 use crate::scene::{self, LayerSpec, NOTES, Panel, Scene, Space, Spanned, Value, When};
 use crate::typeset::{Style, line, paragraph};
 
-use super::context::{Context, Moment, Play};
+use super::context::{Context, Moment};
 use super::default_picture::Sheet;
 use super::fault::{Fault, Problem};
 use super::frame::Frame;
 use super::layer::{self, Fed, Layer, Options, Shows};
 use super::page::{Layout, Measures, Words};
 use super::panel::{LayerPlan, PanelPlan};
+use super::played::Play;
 use super::question::is_of_a_moment;
 use super::runs::Runs;
 use super::standing::standing;

@@ -1,7 +1,8 @@
 //! What an exercise asks, the numbers that answer it, and the way to them.
 
 use crate::collision::Answer;
-use crate::figure::context::{Context, Play};
+use crate::figure::context::Context;
+use crate::figure::played::Play;
 use crate::figure::runs::Runs;
 use crate::figure::standing::standing;
 use crate::figure::text::{Digits, NO_OTHER, filled, givers, in_math, rounded, value_of, with_powers};

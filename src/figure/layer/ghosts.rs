@@ -3,7 +3,7 @@
 
 use crate::collision::Separation;
 use crate::drawing::Role;
-use crate::figure::context::{Context, Play};
+use crate::figure::context::Context;
 use crate::figure::sketch::{
     Anchor, Label, Marker, Outline, Pen, Rank, SMALL_MARKER, Size, Sketch, Wash, Weight,
 };
@@ -260,7 +260,7 @@ pub(super) fn elsewhere(
 ) {
     let now = context.outline(side, context.time);
     let is_wanted = options.words("text").is_some() || options.flag("solid", false);
-    let is_drawn = is_wanted || context.play == Play::Moves;
+    let is_drawn = is_wanted || context.play.moves();
     if is_drawn || !now.is_some_and(|now| look_alike(&now, outline, sketch.px(UNSEEN))) {
         let mut lines = at_moment(context, side, written);
         lines.extend(turned(context, side, time, WHOLE_TURN));

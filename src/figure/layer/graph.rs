@@ -9,10 +9,12 @@
 use crate::collision::Answer;
 use crate::drawing::Role;
 use crate::figure::context::Context;
+use crate::figure::cue::Cue;
 use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Outline, Pen, Rank, Size, Sketch, Weight};
 use crate::figure::text::number;
 use crate::geometry::DVec2;
 use crate::scene::When;
+use crate::trace::step::advanced;
 use crate::trace::{Event, phrase};
 
 use super::chart::{Chart, floor, separations};
@@ -180,12 +182,16 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     marks(sketch, (context, &chart), &all, (role, values));
 }
 
+/// The cue with which is told how far apart the bodies are at a step.
+pub(super) fn looked(context: &Context, k: usize) -> Option<Cue> {
+    context.cue(|event| matches!(event, Event::Advanced { step, .. } if *step == k))
+}
+
 /// Draws how s would fall at the fastest from each step, to where the next one begins.
 fn worst(sketch: &mut Sketch, (context, chart): (&Context, &Chart), all: &[Step], values: bool) {
     for (k, step) in all.iter().take(MOST).enumerate() {
         let Some(next) = step.next.filter(|t| *t <= chart.most.x) else { continue };
-        let look = |k| context.cue(|event| matches!(event, Event::Advanced { step, .. } if *step == k));
-        sketch.since(look(k + 1));
+        sketch.since(looked(context, k + 1).map(|cue| cue.part(advanced::NEXT)));
         let (from, to) = (chart.place(step.time, step.separation), chart.place(next, 0.0));
         let dashed = Pen::construction();
         sketch.part("worst").weight(Weight::Background).line(from, to, dashed);
@@ -196,7 +202,7 @@ fn worst(sketch: &mut Sketch, (context, chart): (&Context, &Chart), all: &[Step]
             sketch.label(Label { lines, ..label }.rank(Rank::Word).size(Size::Note));
         }
         if let Some(then) = all.get(k + 1).filter(|_| k + 1 < MOST) {
-            sketch.since(look(k + 2));
+            sketch.since(looked(context, k + 2));
             let up = chart.place(then.time, then.separation);
             sketch.part("look").weight(Weight::Background).line(to, up, Pen::dimension(Role::Now));
             let ends = k + 2 == all.len();
@@ -266,7 +272,8 @@ fn marks(
         let on_curve = chart.place(step.time, step.separation);
         sketch.part("steps").weight(Weight::Background);
         chart.tick(sketch, step.time, Role::Now);
-        sketch.marker(on_curve, Marker::HollowDiamond, Role::Now, MARKER);
+        sketch.since(looked(context, k)).marker(on_curve, Marker::HollowDiamond, Role::Now, MARKER);
+        sketch.since(context.known(&When::Step(k)));
         let along = chart.along(sketch, step.time);
         let yields = |room: f64| k > 1 && k < last && end - along < room;
         if k == last || along >= free && !yields(room_at_end) {
@@ -292,7 +299,7 @@ fn marks(
     if let Some(first) = all.first() {
         let anchor = Anchor::point_toward(chart.place(first.time, first.separation), DVec2::X);
         let text = format!("$s_1 = {}$", number(first.separation));
-        sketch.label(Label::new("s_1", text, anchor, role));
+        sketch.since(looked(context, 1)).label(Label::new("s_1", text, anchor, role));
     }
 }
 

@@ -6,7 +6,8 @@
 //! Where a body turns, B ⊖ A changes on the way, and there is no such ray.
 
 use crate::drawing::Role;
-use crate::figure::context::{Context, Play};
+use crate::figure::context::Context;
+use crate::figure::played::Play;
 use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, MARKER, Marker, Pen, Rank, Size, Sketch, Weight};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};

@@ -20,8 +20,8 @@ use crate::scene::{NOTES, When};
 use super::closest::{WayOut, longer, longer_way, unseen};
 use super::depth_disc::{disc, disc_place};
 use super::difference::difference;
-use super::moment;
 use super::{Fed, LabelKey, Layer, ONE_OF_SEVERAL, OptionSpec, Options, STEPS, Shows, Takes, Tells};
+use super::{graph, moment};
 
 /// At how many steps the separation is drawn; the later ones are a blur at the contact.
 const MOST: usize = 5;
@@ -164,7 +164,7 @@ fn steps(sketch: &mut Sketch, context: &Context, options: &Options) {
     for (k, &time) in (1..=MOST).zip(&context.steps()) {
         let Some(answer) = context.separation_seen(time) else { continue };
         let [p, q] = answer.points;
-        sketch.since(context.known(&When::Step(k))).part("separation");
+        sketch.since(graph::looked(context, k)).part("separation");
         sketch.dimension(p, q, 0.0, Pen::dimension(role).width(1.5));
         if sketch.on_page(p.distance(q)) >= sketch.fitted(NAMED) {
             let anchor = Anchor::middle(p, q);

@@ -80,7 +80,8 @@ pub(crate) fn found_words(drawing: &Drawing, in_steps: Option<InSteps>) -> Strin
     xml.attribute("aria-hidden", "true");
     xml.attribute("font-family", "sans-serif");
     xml.attribute("pointer-events", "all");
-    for together in all.chunk_by(|a, b| a.shown == b.shown) {
+    // A figure without steps does not know of them.
+    for together in all.chunk_by(|a, b| in_steps.is_none() || a.shown == b.shown) {
         let in_steps = in_steps.filter(|_| together[0].shown != Shown::ALWAYS);
         let groups = in_steps.map_or(0, |in_steps| open_groups(&mut xml, together[0].shown, in_steps));
         for of_size in together.chunk_by(|a, b| a.size.total_cmp(&b.size).is_eq()) {
