@@ -12,8 +12,8 @@ use super::jobs::Planned;
 /// Its width, page pixels: that of a small phone, on which letters are a little smaller then.
 const WIDTH: f64 = 360.0;
 
-/// The same figure for a narrow page; none where no page in steps is written, where the figure is as narrow
-/// itself, and where no such picture can be made.
+/// A figure once more, for a narrow page; none where no page in steps is written, where the figure is as
+/// narrow itself, and where no such picture can be made.
 pub(crate) fn narrow(
     (scene, theme): (&Scene, &Theme),
     (drawing, in_time): (&Drawing, Option<InTime>),

@@ -98,7 +98,7 @@ pub struct Drawing {
     pub steps: Vec<Step>,
     /// The pictures that lead to the figure where it plays; none where it does not.
     pub motion: Vec<MotionFrame>,
-    /// The same figure for a page as narrow as a phone, in the same steps; none where there is none.
+    /// What a page as narrow as a phone shows of the figure, in as many steps; none where that is not drawn.
     pub narrow: Option<Box<Drawing>>,
 }
 

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::collision::{ALGORITHMS, QUERIES};
 use crate::figure::context::Context;
-use crate::figure::played::Play;
+use crate::figure::play::Play;
 use crate::figure::runs::Runs;
 use crate::scene::{Scene, SceneQuery, Space, open_text};
 

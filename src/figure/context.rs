@@ -71,7 +71,7 @@ pub(crate) struct Context<'f> {
     /// The algorithm's step that the panel shows, from 1.
     pub(crate) step: Option<usize>,
     /// What becomes of the panel in a figure that plays.
-    pub(crate) play: super::played::Play,
+    pub(crate) play: super::play::Play,
     /// The algorithm runs of the figure so far, to which the layers add.
     pub(crate) runs: &'f Runs,
 }

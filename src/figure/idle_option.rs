@@ -1,5 +1,5 @@
-//! Options that change nothing of what their layer draws, as `centers` of a ghost that has no centre of its own:
-//! found by drawing the panel without them.
+//! Options that change nothing of what their layer draws, as `centers` of a ghost that has no centre of its
+//! own: found by drawing the panel without them.
 
 use crate::scene::{LayerSpec, Scene, Variant};
 
@@ -10,8 +10,8 @@ use super::runs::Runs;
 use super::sketch::{Request, Sketched};
 use super::theme::Theme;
 
-/// A note for each flag of a scene's layers that is not what holds without it, and makes no difference; `told`
-/// are the notes so far, which say of some options why.
+/// A note for each flag of a scene's layers that is not what holds without it, and makes no difference;
+/// `told` are the notes so far, which say of some options why.
 pub(super) fn idle(
     (scene, runs, theme): (&Scene, &Runs, &Theme),
     panels: &[PanelPlan],

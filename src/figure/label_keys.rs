@@ -9,7 +9,7 @@ use super::default_picture::layers_of_all;
 use super::fault::{Fault, Problem};
 use super::layer::{Fed, Layer, Options, find, is_key};
 use super::panel::PanelPlan;
-use super::played::Play;
+use super::play::Play;
 use super::runs::Runs;
 use super::text::{label_key, overridden};
 

@@ -59,6 +59,13 @@ pub(crate) static WORDS: &[Row] = &rows([
         "valeur attendue $* (hors échelle)",
         "valor esperado $* (no a escala)",
     ],
+    [
+        "$*$, as expected (not to scale)",
+        "$*$",
+        "$*$, wie erwartet (nicht maßstäblich)",
+        "$*$, comme attendu (hors échelle)",
+        "$*$, como se esperaba (no a escala)",
+    ],
     ["expected at $t*", "$t*", "erwartet bei $t*", "pose attendue à $t*", "pose esperada en $t*"],
     [
         "* expected at $t*",
@@ -67,6 +74,7 @@ pub(crate) static WORDS: &[Row] = &rows([
         "pose attendue de * à $t*",
         "pose esperada de * en $t*",
     ],
+    ["$*$, as expected", "$*$", "$*$, wie erwartet", "$*$, comme attendu", "$*$, como se esperaba"],
     ["expected $*", "$*", "erwartetes $*", "valeur attendue $*", "valor esperado $*"],
     ["at $t*", "$t*", "bei $t*", "à $t*", "en $t*"],
     ["* at $t*", "*: $t*", "* bei $t*", "* à $t*", "* en $t*"],

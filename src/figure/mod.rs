@@ -45,6 +45,7 @@ mod panel;
 mod placement;
 mod plan;
 mod plan_runs;
+mod play;
 mod played;
 mod playhead;
 mod printed;

@@ -15,7 +15,7 @@ use super::layer::{LabelKey, Layer, Options, is_chart};
 use super::lettering::Lettering;
 use super::limits::MAX_POINTS;
 use super::page::Measures;
-use super::played::Play;
+use super::play::Play;
 use super::runs::Runs;
 use super::sketch::{Request, Size, Sketch, Sketched};
 use super::theme::Theme;

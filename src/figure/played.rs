@@ -15,24 +15,6 @@ use super::plan::Plan;
 use super::question::is_of_a_moment;
 use super::runs::Run;
 
-/// What becomes of a panel in a figure that plays.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Play {
-    /// The figure does not play.
-    No,
-    /// It stands still while others show a moment, in [0, 1].
-    Stands(f64),
-    /// It shows one moment after the other.
-    Moves,
-}
-
-impl Play {
-    /// Whether it shows one moment after the other.
-    pub(crate) fn moves(self) -> bool {
-        self == Self::Moves
-    }
-}
-
 /// The panels of a figure that play, each with the moment at which it arrives.
 pub(super) struct Played(pub(super) Vec<(usize, f64)>);
 

@@ -18,7 +18,7 @@ use super::frame::Frame;
 use super::layer::{self, Fed, Layer, Options, Shows};
 use super::page::{Layout, Measures, Words};
 use super::panel::{LayerPlan, PanelPlan};
-use super::played::Play;
+use super::play::Play;
 use super::question::is_of_a_moment;
 use super::runs::Runs;
 use super::standing::standing;

@@ -1,7 +1,8 @@
-//! When captions come in a figure in steps: with what they are about, so that none tells what is still to come.
+//! When captions come in a figure in steps: with what they are about, so that none tells what is to come.
 //!
-//! A panel's caption comes with the first mark of the panel that was not there from the start; one that writes a
-//! value of the answer, with the panel's last mark. The caption of the figure comes at once, or last.
+//! A panel's caption comes with the first mark of the panel that was not there from the start; one that
+//! writes a value of the answer, with the panel's last mark. The caption of the figure comes at once or
+//! last.
 
 use std::collections::BTreeSet;
 
@@ -13,7 +14,8 @@ use super::steps::{Scope, collect};
 /// How a value begins in a text.
 const VALUE: &str = "{=";
 
-/// Lets the captions of the panels, and of the figure, which is the last item, come in a figure of `count` steps.
+/// Lets the captions of the panels, and of the figure, which is the last item, come in a figure of `count`
+/// steps.
 pub(super) fn let_captions_come(items: &mut [Item], scopes: &[Scope], plan: &Plan, count: usize) {
     for (scope, panel) in scopes.iter().zip(&plan.panels) {
         let Some(text) = &panel.source.caption else { continue };

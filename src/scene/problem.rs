@@ -314,8 +314,15 @@ impl Problems {
         self.found.len()
     }
 
-    /// The problems in the order of the file.
+    /// The problems in the order of the file. A key that is there misspelt is not missing too.
     pub(crate) fn into_sorted(mut self) -> Vec<Problem> {
+        let is_unknown = |p: &&Problem| matches!(p.fault, Fault::UnknownKey { .. });
+        let meant: Vec<String> =
+            self.found.iter().filter(is_unknown).filter_map(|p| p.fault.help()).collect();
+        self.found.retain(|problem| match &problem.fault {
+            Fault::MissingKey { key, .. } => !meant.contains(&format!("did you mean `{key}`?")),
+            _ => true,
+        });
         sort_by(&mut self.found, |p, q| (p.span.start, p.span.end).cmp(&(q.span.start, q.span.end)));
         self.found
     }

@@ -191,6 +191,7 @@ pub(crate) const ROOMS: &[Row] = &[
         ],
     ),
     ("figure/moving_frame", &["geometry", "collision"]),
+    ("figure/play", &[]),
     (
         "figure/context",
         &[
@@ -201,6 +202,7 @@ pub(crate) const ROOMS: &[Row] = &[
             "figure/cue",
             "figure/moving_frame",
             "figure/name",
+            "figure/play",
             "figure/question",
             "figure/runs",
             "figure/sketch",
@@ -296,6 +298,7 @@ pub(crate) const ROOMS: &[Row] = &[
             "figure/layer",
             "figure/page",
             "figure/plan",
+            "figure/play",
             "figure/question",
             "figure/runs",
             "figure/standing",
@@ -316,6 +319,7 @@ pub(crate) const ROOMS: &[Row] = &[
             "figure/lettering",
             "figure/limits",
             "figure/page",
+            "figure/play",
             "figure/runs",
             "figure/sketch",
             "figure/theme",

@@ -190,8 +190,9 @@ fn gjk_steps_shows_the_simplex_its_closest_point_and_the_vertex_that_comes_next(
         // The supporting line through w, square to v: x + 2y = 5 in the second.
         panels[1].through((5.0, 0.0), (1.0, 2.0)),
     ];
-    // ‖v‖ is √85, 13/√5, 35/√85 and 3, and w · v/‖v‖ is 5/√85, 5/√5 and 25/√85: ever larger.
-    for number in [r"\le 9.22", r"\le 5.81", r"\le 3.80", r"\ge 0.542", r"\ge 2.24", r"\ge 2.71"] {
+    // ‖v‖ is √85, 13/√5, 35/√85 and 3, and w · v/‖v‖ is 5/√85, 5/√5 and 25/√85: ever larger; what is
+    // written is a bound too.
+    for number in [r"\le 9.22", r"\le 5.82", r"\le 3.80", r"\ge 0.542", r"\ge 2.23", r"\ge 2.71"] {
         assert!(f.says(&format!("${number}$")), "{number}");
     }
     assert!(f.says("distance $= 3$"));

@@ -1,9 +1,9 @@
 //! Bodies that overlap before they move: how deep, and which way each is about to go.
 
 use crate::collision::Outcome;
-use crate::figure::layer::ruler::round_up;
+use crate::figure::text::round_up;
 use crate::geometry::Body;
-use crate::scene::{LayerSpec, Spanned, Value};
+use crate::scene::{LayerSpec, Value};
 
 use super::{Case, Picture};
 
@@ -22,7 +22,7 @@ pub(super) const PICTURE: Picture = Picture {
 title = "World"
 time = "start"
 inset = "small"
-layers = ["shapes", { layer = "separation", points = true }, "velocity", "spin"]
+layers = ["shapes", { layer = "separation", points = true }, { layer = "velocity", scale = 1 }, "spin"]
 
 [[panels]]
 title = "Configuration space"
@@ -35,16 +35,12 @@ layers = ["axes", "difference", "origin", "closest"]
 
 /// Draws the velocities of fast bodies to a scale at which the bodies are seen.
 pub(super) fn slow_down(layer: &mut LayerSpec, case: &Case) {
-    if !(PICTURE.fits)(case) || layer.name.value != "velocity" {
-        return;
-    }
-    let (bodies, span) = (&case.scene.query.of, &layer.name.span);
-    let bodies = || bodies.iter().filter_map(|&i| case.scene.shapes.get(i)).map(|(_, body)| body);
+    let scales = layer.options.iter_mut().filter(|(key, _)| key.value == "scale").map(|(_, scale)| scale);
+    let bodies =
+        || case.scene.query.of.iter().filter_map(|&i| case.scene.shapes.get(i)).map(|(_, body)| body);
     let reach: f64 = bodies().map(|Body { shape, .. }| shape.hull.reach + shape.radius).sum();
     let fastest = bodies().map(|body| body.velocity.length()).fold(0.0, f64::max);
     if let Some(scale) = round_up(DRAWN * (reach / fastest)).filter(|_| fastest > FAST * reach) {
-        let key = Spanned { value: "scale".to_owned(), span: span.clone() };
-        let scale = Spanned { value: Value::Number(scale), span: span.clone() };
-        layer.options.push((key, scale));
+        scales.for_each(|drawn| drawn.value = Value::Number(scale));
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::collision::Answer;
 use crate::figure::context::Context;
-use crate::figure::played::Play;
+use crate::figure::play::Play;
 use crate::figure::runs::Runs;
 use crate::figure::standing::standing;
 use crate::figure::text::{Digits, NO_OTHER, filled, givers, in_math, rounded, value_of, with_powers};

@@ -5,10 +5,10 @@
 
 use crate::figure::context::Context;
 use crate::figure::sketch::Sketch;
-use crate::figure::text::in_math;
+use crate::figure::text::{exponent, in_math};
 use crate::geometry::DVec2;
 
-use super::ruler::{exponent, whole};
+use super::ruler::whole;
 
 /// How fine a coordinate is written, page pixels.
 const FINE: f64 = 1.0;

@@ -42,6 +42,8 @@ pub(super) const LAYER: Layer = Layer {
 /// By how much a line may be longer or shorter than the number beside it says, page pixels: the width of a
 /// line, which nobody sees. Digits that another engine cut off are less.
 const SEEN: f64 = 2.0;
+/// How far apart the tips of unit vectors are that are one to the eye: 1.7 px of an arrow of 85.
+const ALIKE: f64 = 0.02;
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(theirs) = context.scene.query.expected else { return };
@@ -68,9 +70,16 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
     let from = theirs.points.map(|[p, _]| p).or(ours.map(|ours| ours.points[0]));
     if let (Some(n), Some(from)) = (theirs.normal, from) {
-        normal(sketch, from, *n, ("n'", "expected $n'$", role));
-        if let Some(ours) = &ours {
-            normal(sketch, ours.points[0], *ours.normal, ("n", "$n$", Role::Translation));
+        let is_one = |ours: &&Separation| {
+            ours.normal.distance(*n) < ALIKE && sketch.on_page(ours.points[0].distance(from)) < SEEN
+        };
+        if let Some(ours) = ours.as_ref().filter(is_one) {
+            normal(sketch, from, *ours.normal, ("n", "$n$, as expected", Role::Translation));
+        } else {
+            normal(sketch, from, *n, ("n'", "expected $n'$", role));
+            if let Some(ours) = &ours {
+                normal(sketch, ours.points[0], *ours.normal, ("n", "$n$", Role::Translation));
+            }
         }
     }
     let mut lines = if shown { Vec::new() } else { words(&theirs) };
@@ -157,6 +166,27 @@ mod tests {
     use crate::figure::layer::tests::{labels, paths};
     use crate::figure::{draw, plan};
     use crate::scene::open_text;
+
+    #[test]
+    fn a_normal_that_is_as_expected_is_drawn_once() {
+        for (normal, keys) in
+            [("[1, 0]", vec!["n"]), ("[0.99995, 0.01]", vec!["n"]), ("[0.6, 0.8]", vec!["n", "n'"])]
+        {
+            let text = format!(
+                "shapes.A = {{ kind = 'circle', radius = 1 }}
+                shapes.B = {{ kind = 'circle', radius = 1, position = [4, 0] }}
+                query = {{ kind = 'separation', of = ['A', 'B'], expected = {{ normal = {normal} }} }}
+                panels = [{{ layers = ['shapes', 'expected'] }}]"
+            );
+            let scene = open_text("s.toml", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let figure = draw(&plan, plan.theme, "s");
+            let labels = labels(&figure);
+            let found: Vec<_> = ["n", "n'"].into_iter().filter(|key| labels.contains_key(key)).collect();
+            assert_eq!(found, keys, "{normal}");
+            assert_eq!(labels["n"].0.contains("as expected"), keys.len() == 1, "{labels:?}");
+        }
+    }
 
     #[test]
     fn both_answers_stand_side_by_side() {

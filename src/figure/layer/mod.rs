@@ -53,7 +53,7 @@ mod polytope;
 mod projection;
 mod radii;
 mod ray;
-pub(super) mod ruler;
+mod ruler;
 mod separating_cone;
 mod separating_lines;
 mod separation;

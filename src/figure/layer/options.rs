@@ -121,7 +121,7 @@ impl Options {
         self.given.iter().rev().find(|(n, _)| *n == name).map(|(_, s)| s)
     }
 
-    /// The same without one of them.
+    /// All of them but one.
     #[must_use]
     pub(crate) fn without(&self, name: &str) -> Self {
         Self { given: self.given.iter().filter(|(given, _)| *given != name).cloned().collect() }

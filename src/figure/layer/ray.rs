@@ -7,7 +7,6 @@
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::played::Play;
 use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, MARKER, Marker, Pen, Rank, Size, Sketch, Weight};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
@@ -131,7 +130,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     if options.word("cut", "") != When::HIT {
         held::closing_velocity(sketch, context, (tip, cut - context.difference_time()));
     }
-    if let Play::Stands(now) = context.play {
+    if let Some(now) = context.play.stands_at() {
         sketch.since(None).part("now").marker(from + v * now, Marker::Disc, role, MARKER);
     }
 }

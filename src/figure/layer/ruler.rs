@@ -7,8 +7,7 @@
 //! Numbers far from 0, very large and very small ones would be long and alike. What they share is written
 //! once, at the end of the axis: 3 with × 10⁻⁶ + 10⁹ stands for 1000000000.000003.
 
-use crate::figure::text::in_math;
-use crate::geometry::read;
+use crate::figure::text::{decimal, exponent, in_math, round_up};
 
 /// The least distance of marks where the scene does not say, page pixels: a number and its room.
 const LEAST: f64 = 24.0;
@@ -116,28 +115,6 @@ fn base((lo, hi): (f64, f64), step: f64) -> f64 {
     let units = (exponent(step)..=most).rev().filter_map(|e| decimal(1, e));
     let mut rounded = units.map(|unit| (middle / unit).round() * unit);
     rounded.find(|base| (base - middle).abs() <= span).unwrap_or(0.0)
-}
-
-/// The least of 1, 2 and 5 times a power of ten that is `least` or more; `None` where there is no such
-/// double.
-pub(in crate::figure) fn round_up(least: f64) -> Option<f64> {
-    if !(least.is_finite() && least > 0.0) {
-        return None;
-    }
-    let e = exponent(least);
-    let steps = [(1, e - 1), (1, e), (2, e), (5, e), (1, e + 1)];
-    steps.into_iter().filter_map(|(m, e)| decimal(m, e)).find(|step| *step >= least)
-}
-
-/// The decimal exponent of the first digit of a number.
-pub(super) fn exponent(x: f64) -> i32 {
-    let text = format!("{:e}", x.abs());
-    text.split_once('e').and_then(|(_, e)| e.parse().ok()).unwrap_or(0)
-}
-
-/// The double nearest to m · 10ᵉ; `None` where that is too large, or 0.
-fn decimal(m: u32, e: i32) -> Option<f64> {
-    read(&format!("{m}e{e}")).filter(|x| x.is_finite() && *x > 0.0)
 }
 
 /// A small whole number of decimal places.

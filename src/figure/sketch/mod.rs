@@ -145,8 +145,7 @@ pub(crate) struct Sketched {
 }
 
 impl<'f> Sketch<'f> {
-    /// An empty panel. `unit` is the width on the page of what is one pixel wide on the usual page; at most
-    /// 1.
+    /// An empty panel; `unit` is how wide on its page a pixel of the usual page is, at most 1.
     pub(crate) fn new(frame: Frame, theme: &'f Theme, unit: f64) -> Self {
         Self {
             frame,

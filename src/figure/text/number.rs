@@ -6,7 +6,7 @@ use crate::geometry::{power_of_ten, read};
 /// The digits of a number on a figure where nobody asks for others.
 pub(crate) const USUAL: Digits = Digits::Usual;
 
-/// As many digits as a number has that has many, in every case.
+/// The digits of a number that has many, in every case.
 const THREE: Digits = Digits::Significant(TOLD);
 
 /// The part of a number that rounding may have added to it in a few operations.

@@ -56,7 +56,8 @@ pub struct Pixels {
 /// let drawing = Drawing {
 ///     width: 3.0, height: 2.0, id: "x".into(), lang: None, title: String::new(), is_titled: false,
 ///     desc: String::new(), background, ink: Color::hex(0), words: vec![], fill_opacity: 0.14, dark: None,
-///     metadata: String::new(), hash: String::new(), items: vec![], steps: vec![], motion: vec![], narrow: None,
+///     metadata: String::new(), hash: String::new(), items: vec![], steps: vec![], motion: vec![],
+///     narrow: None,
 /// };
 /// let pixels = tracefig::output::rasterize(&drawing, 2.0).unwrap();
 /// assert_eq!((pixels.width, pixels.height), (6, 4));

@@ -1,5 +1,4 @@
-//! What the pixels of areas, lines and texts must be, told from the outside: black ink on white paper, read
-//! as coverage.
+//! What the pixels of areas, lines and texts must be, from outside: black ink on white paper, as coverage.
 
 use std::sync::Arc;
 
@@ -42,8 +41,8 @@ impl Seen {
             narrow: None,
         };
         let pixels = rasterize(&drawing, scale).unwrap();
-        let dark = |pixel: &[u8]| 1.0 - f64::from(pixel[0]) / 255.0;
-        Self { width: pixels.width as usize, coverage: pixels.rgba.chunks_exact(4).map(dark).collect() }
+        let dark = pixels.rgba.chunks_exact(4).map(|pixel| 1.0 - f64::from(pixel[0]) / 255.0);
+        Self { width: pixels.width as usize, coverage: dark.collect() }
     }
 
     fn at(&self, x: usize, y: usize) -> f64 {

@@ -20,8 +20,8 @@ use crate::drawing::{Drawing, Item, Shown};
 const STYLE: &str = include_str!("stepper.css");
 /// The buttons and keys.
 const SCRIPT: &str = include_str!("stepper.js");
-/// What the buttons are called, one step back, one on and back to the first, and the list, in each language of
-/// which we have words; the first is for all others.
+/// What the buttons are called, one step back, one on and back to the first, and the list, in each language
+/// of which we have words; the first is for all others.
 const WORDS: [(&str, ([&str; 3], &str)); page::LANGUAGES] = [
     (Drawing::OWN_LANG, (["Step back", "Next step", "First step"], "Steps")),
     ("de", (["Schritt zurück", "Nächster Schritt", "Erster Schritt"], "Schritte")),

@@ -44,8 +44,8 @@ pub(crate) fn title(before: &[Event], event: &Event, after: &[Event], voice: Voi
     Some(if is_last && is_found { voice.say(&NONE_BEYOND, &[&title]) } else { title })
 }
 
-/// What a simplex says that knows what comes `after` it: the vertex that is found where it says to look, or that
-/// there is none. `None` of another event, and of a simplex that holds the origin.
+/// What a simplex says that knows what comes `after` it: the vertex that is found where it says to look, or
+/// that there is none. `None` of another event, and of a simplex that holds the origin.
 #[must_use]
 pub(crate) fn sentence<'e>(
     event: &Event,
@@ -68,8 +68,8 @@ pub(crate) fn sentence<'e>(
     }
 }
 
-/// The simplex around the origin from which a search goes on with its first polytope, and what a reader is told
-/// of it who has not seen it; `None` of another event.
+/// The simplex around the origin from which a search goes on with its first polytope, and what a reader is
+/// told of it who has not seen it; `None` of another event.
 #[must_use]
 pub(crate) fn held<'e>(before: &'e [Event], event: &Event, voice: Voice) -> Option<(&'e Event, String)> {
     let is_polytope = |event: &Event| matches!(event, Event::PolytopeExpanded { .. });

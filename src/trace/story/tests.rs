@@ -113,7 +113,8 @@ fn a_polytope_tells_the_vertices_that_no_sentence_before_it_told() {
         sentence(&event, &Names::default())
     };
     assert!(
-        told(3).starts_with("The polytope has 3 vertices, (2, 0) (0, 2) (-2, -1); its nearest edge is 0.5")
+        told(3)
+            .starts_with("The polytope has 3 vertices, (2, 0), (0, 2) and (-2, -1); its nearest edge is 0.5")
     );
     assert!(told(4).starts_with("The polytope has 4 vertices; its nearest edge is 0.5 from"), "{}", told(4));
 }
@@ -122,7 +123,7 @@ fn a_polytope_tells_the_vertices_that_no_sentence_before_it_told() {
 fn a_simplex_around_the_origin_looks_nowhere_further() {
     let (vertices, direction) = (vec![DVec2::X, DVec2::NEG_X], DVec2::ZERO);
     let event = Event::SimplexUpdated { vertices, closest: DVec2::ZERO, direction };
-    let expected = "The simplex is (1, 0) (-1, 0); the origin is in it.";
+    let expected = "The simplex is (1, 0) and (-1, 0); the origin is in it.";
     assert_eq!(sentence(&event, &Names::default()), expected);
 }
 

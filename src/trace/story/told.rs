@@ -227,8 +227,8 @@ mod tests {
         assert_eq!(
             way(many.iter(), Voice::english(&names), false),
             [
-                "B ⊖ A has 8 edges, from vertex to vertex: (1, -2) (2, -1) (2, 1) (1, 2) (-1, 2) (-2, 1) \
-                 (-2, -1) (-1, -2).",
+                "B ⊖ A has 8 edges, from vertex to vertex: (1, -2), (2, -1), (2, 1), (1, 2), (-1, 2), \
+                 (-2, 1), (-2, -1) and (-1, -2).",
                 "Nearest to the origin is edge 3 of A: 2 away, at (1, 0).",
             ]
         );

@@ -181,13 +181,19 @@ phrases! {
     /// A simplex as before, and the vertex that is farthest there: vertices, the point closest to the origin,
     /// where to look, what is found there.
     SIMPLEX_GROWS: "The simplex is *; closest to the origin is *, so look along *: farthest there is *.",
-        "Das Simplex ist *; dem Ursprung am nächsten liegt *, also weiter entlang *: am weitesten dort liegt *.",
-        "Le simplexe est * ; le plus proche de l’origine est *, donc chercher le long de * : le plus loin y est *.",
-        "El símplex es *; lo más cercano al origen es *, así que se busca a lo largo de *: lo más lejano allí es *.";
+        "Das Simplex ist *; dem Ursprung am nächsten liegt *, also weiter entlang *: am weitesten dort \
+            liegt *.",
+        "Le simplexe est * ; le plus proche de l’origine est *, donc chercher le long de * : le plus loin y \
+            est *.",
+        "El símplex es *; lo más cercano al origen es *, así que se busca a lo largo de *: lo más lejano \
+            allí es *.";
     /// The last simplex outside the origin: vertices, the point closest to the origin, where nothing is.
-    SIMPLEX_ENDS: "The simplex is *; closest to the origin is *, and nothing is farther along *: the search ends.",
-        "Das Simplex ist *; dem Ursprung am nächsten liegt *, und weiter entlang * liegt nichts: Die Suche endet.",
-        "Le simplexe est * ; le plus proche de l’origine est *, et rien n’est plus loin le long de * : c’est fini.",
+    SIMPLEX_ENDS: "The simplex is *; closest to the origin is *, and nothing is farther along *: the search \
+            ends.",
+        "Das Simplex ist *; dem Ursprung am nächsten liegt *, und weiter entlang * liegt nichts: Die Suche \
+            endet.",
+        "Le simplexe est * ; le plus proche de l’origine est *, et rien n’est plus loin le long de * : c’est \
+            fini.",
         "El símplex es *; lo más cercano al origen es *, y nada está más lejos a lo largo de *: se acabó.";
     /// A simplex around the origin, or through it: vertices.
     SIMPLEX_HOLDS: "The simplex is *; the origin is in it.",
