@@ -12,7 +12,6 @@ use super::default_picture;
 use super::describe::Account;
 use super::exercise;
 use super::fault::{Fault, Problem};
-use super::idle_option::idle;
 use super::kept::Kept;
 use super::label_keys::{called, label_keys, replaced};
 use super::language::Language;
@@ -28,7 +27,7 @@ use super::runs::Runs;
 use super::sketch::{Size, Sketched};
 use super::text::{Across, Block, Wording, across, caption_of_words, check_texts, spoken};
 use super::theme::{self, Theme};
-use super::unseen_layer::unseen;
+use super::unseen_layer::noted;
 use super::whole::of_the_whole;
 use super::{narrow, view};
 
@@ -174,10 +173,7 @@ fn resolve<'s>(
         let fitted = runs.overflow(scene).map_or(Ok(()), Err);
         let fitted = fitted.and_then(|()| fit((scene, &runs), theme, &mut layout, &mut panels));
         let said = fitted.and_then(|(sketched, fitted)| {
-            warnings.extend(NOTES.then(|| unseen(scene, &panels, &sketched)).into_iter().flatten());
-            let idle = || idle((scene, &runs, theme), &panels, &sketched, &warnings);
-            let idle = NOTES.then(idle).into_iter().flatten();
-            warnings.extend(idle.collect::<Vec<_>>());
+            warnings.extend(noted((scene, &runs, theme), &panels, &sketched, &warnings));
             let in_look = (scene, theme, &layout.measures);
             let said = say(in_look, &runs, &panels, &sketched, (&mut problems, &mut warnings));
             said.map(|sought| page = Some((fitted, Kept::of(sketched, sought))))

@@ -1,20 +1,40 @@
 //! Layers of which a panel shows nothing, though the answer has what they draw: nothing of it is left, or all
 //! of it lies beside the view.
 
-use crate::scene::Scene;
+use crate::scene::{NOTES, Scene};
 
 use super::empty_view::empty_views;
 use super::fault::{Fault, Problem};
+use super::idle_option::idle;
 use super::inset::is_beside;
 use super::panel::{LayerPlan, PanelPlan};
+use super::runs::Runs;
 use super::sketch::{Anchor, Sketched};
+use super::theme::Theme;
 
 /// What the case is where a layer with options draws nothing, and where one without.
 const LEFT: [&str; 2] = ["with its options nothing of it is seen", "nothing of it is there at this moment"];
 
+/// What is to be said of layers that show nothing, and of options that make no difference, but not to a page;
+/// `told` are the notes so far.
+pub(super) fn noted(
+    (scene, runs, theme): (&Scene, &Runs, &Theme),
+    panels: &[PanelPlan],
+    sketched: &[Sketched],
+    told: &[Problem],
+) -> Vec<Problem> {
+    if !NOTES {
+        return Vec::new();
+    }
+    let mut notes = unseen(scene, panels, sketched);
+    let idle = idle((scene, runs, theme), panels, sketched, &[told, &notes].concat());
+    notes.extend(idle);
+    notes
+}
+
 /// A warning for each panel that stays empty, and of others a note for each layer that the scene asks for and
 /// that its panel does not show.
-pub(super) fn unseen(scene: &Scene, panels: &[PanelPlan], sketched: &[Sketched]) -> Vec<Problem> {
+fn unseen(scene: &Scene, panels: &[PanelPlan], sketched: &[Sketched]) -> Vec<Problem> {
     let asked = |planned: &&LayerPlan| {
         let written = scene.panels.iter().flat_map(|panel| panel.layers.iter().flatten());
         written.into_iter().any(|spec| spec.name.span == planned.span)

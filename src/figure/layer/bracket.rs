@@ -154,7 +154,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     for (key, sign, written, distance, side) in
         [("at-least", r"\ge", least, found.least, -ASIDE), ("at-most", r"\le", most, found.most, ASIDE)]
     {
-        let text = format!("${sign} {}$", written);
+        let text = format!("${sign} {written}$");
         let label = Label::new(key, text, Anchor::point_toward(at(distance), below(side)), role);
         sketch.label(label.rank(Rank::Measure).size(Size::Note));
     }

@@ -44,18 +44,18 @@ pub(crate) fn rounded_down(value: f64) -> String {
 /// A lower bound as LaTeX, to three digits in every case: in a picture, what is bounded is not beside it.
 #[must_use]
 pub(crate) fn least(value: f64) -> String {
-    bound(value, rounded_down(value), THREE.at_most(value))
+    bound(value, &rounded_down(value), &THREE.at_most(value))
 }
 
 /// An upper bound as LaTeX, as [`least`] has a lower one.
 #[must_use]
 pub(crate) fn most(value: f64) -> String {
-    bound(value, rounded_up(value), THREE.at_least(value))
+    bound(value, &rounded_up(value), &THREE.at_least(value))
 }
 
 /// What a bound is written as where that has few digits, else as `short`.
-fn bound(value: f64, usual: String, short: String) -> String {
-    in_math(if usual == rounded(value, value) { &usual } else { &short })
+fn bound(value: f64, usual: &str, short: &str) -> String {
+    in_math(if usual == rounded(value, value) { usual } else { short })
 }
 
 /// A double as LaTeX, as [`rounded`] has it.
