@@ -4,7 +4,7 @@
 //! drawing a plan cannot fail.
 
 use crate::geometry::sort_by;
-use crate::scene::{self, NOTES, Scene, Variant};
+use crate::scene::{self, Scene, Variant};
 
 use super::asked_theme::theme_of;
 use super::budget::Budget;
