@@ -7,7 +7,7 @@
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::geometry::{Names, Side};
+use crate::geometry::{Names, Side, sort_by};
 use crate::scene::{Scene, Spanned};
 use crate::typeset::{Style, TypesetError, plain, typeset};
 
@@ -51,7 +51,8 @@ impl Called {
         let mut taken: Vec<String> = all.iter().flatten().map(|own| own.text.clone()).collect();
         // The query's bodies first: their letters are those of the labels' keys.
         let mut order: Vec<usize> = (0..count).collect();
-        order.sort_by_key(|&i| sides[i].unwrap_or(usize::MAX));
+        let key = |i: usize| sides[i].unwrap_or(usize::MAX);
+        sort_by(&mut order, |&i, &j| key(i).cmp(&key(j)));
         for i in order {
             if let Err(reason) = &all[i] {
                 let text = letter(sides[i].and_then(|side| KEYS.get(side)).copied(), &taken);

@@ -58,6 +58,11 @@ impl OutputError {
 impl fmt::Display for OutputError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Self::NotFinite { group, .. } => {
+                write!(f, "the drawing's group `{group}` has a place that is not on any page")
+            }
+            // No page writes pixels.
+            _ if cfg!(tracefig_page) => Ok(()),
             Self::TooLarge { scale, largest } => {
                 write!(
                     f,
@@ -66,9 +71,6 @@ impl fmt::Display for OutputError {
             }
             Self::Empty { width, height, scale } => {
                 write!(f, "a page of {width} × {height} at a scale of {scale} has no pixels")
-            }
-            Self::NotFinite { group, .. } => {
-                write!(f, "the drawing's group `{group}` has a place that is not on any page")
             }
             Self::TooLong { pictures, most } => write!(
                 f,

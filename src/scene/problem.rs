@@ -10,7 +10,7 @@ use std::ops::Range;
 use crate::geometry::shape::ShapeError;
 use crate::geometry::sort_by;
 
-use super::codes;
+use super::{NOTES, codes};
 
 /// What is wrong.
 #[derive(Clone, Debug, PartialEq)]
@@ -316,7 +316,7 @@ impl Problems {
 
     /// The problems in the order of the file. A key that is there misspelt is not missing too.
     pub(crate) fn into_sorted(mut self) -> Vec<Problem> {
-        let is_unknown = |p: &&Problem| matches!(p.fault, Fault::UnknownKey { .. });
+        let is_unknown = |p: &&Problem| NOTES && matches!(p.fault, Fault::UnknownKey { .. });
         let meant: Vec<String> =
             self.found.iter().filter(is_unknown).filter_map(|p| p.fault.help()).collect();
         self.found.retain(|problem| match &problem.fault {

@@ -8,7 +8,7 @@ use crate::figure::sketch::{
     Anchor, Label, Marker, Outline, Pen, Rank, SMALL_MARKER, Size, Sketch, Wash, Weight,
 };
 use crate::figure::text::{Digits, in_math, number};
-use crate::geometry::{DVec2, Side};
+use crate::geometry::{DVec2, Side, sort_by};
 use crate::scene::When;
 use crate::trace::phrase;
 
@@ -339,7 +339,7 @@ fn apart(before: &[f64], last: f64) -> Vec<(usize, f64)> {
         let free = (0..before.len()).rev().filter(|i| !kept.contains(i));
         kept.extend(free.max_by(|&i, &j| room(i).total_cmp(&room(j))));
     }
-    kept.sort_unstable();
+    sort_by(&mut kept, usize::cmp);
     kept.into_iter().map(|i| (i + 2, before[i])).collect()
 }
 

@@ -12,7 +12,7 @@ use crate::figure::context::Context;
 use crate::figure::cue::Cue;
 use crate::figure::sketch::{Anchor, Label, Pen, Rank, Size, Sketch};
 use crate::figure::text::{Quantity, terms};
-use crate::geometry::{DVec2, Feature, Side, perp};
+use crate::geometry::{DVec2, Feature, Side, perp, sort_by};
 use crate::trace::{Event, phrase};
 
 use super::axis_unit::{LIGHT, from_origin, light, numbers, on_axis, sees, shadow_of, units, written, zero};
@@ -112,7 +112,8 @@ fn widest(context: &Context, all: &[Tested]) -> Option<Tested> {
         let along = |t: &Tested| t.n.dot(*s.normal);
         let most = ties.iter().map(along).fold(f64::NEG_INFINITY, f64::max);
         ties.retain(|t| most - along(t) <= TIED);
-        ties.sort_by_key(|t| run.candidate() != Some(t.source));
+        let is_other = |t: &Tested| run.candidate() != Some(t.source);
+        sort_by(&mut ties, |s, t| is_other(s).cmp(&is_other(t)));
     }
     ties.first().copied()
 }

@@ -245,9 +245,9 @@ fn name(sketch: &mut Sketch, context: &Context, role: Role) {
 /// The ends of a body's facing edge, numbered. `None` where no edges face each other.
 fn ends(context: &Context, found: &Difference, side: Side) -> Option<[Marked; 2]> {
     let edge = found.aligned()?.into_iter().find(|edge| edge.source == side)?;
-    let mut ends = context.body(side)?.shape.edge_ends(edge.index)?;
+    let [i, j] = context.body(side)?.shape.edge_ends(edge.index)?;
     // A tie of supporting vertices is told in the order of their numbers.
-    ends.sort_unstable();
+    let ends = [i.min(j), i.max(j)];
     let [i, j] = ends;
     let [p, q] = ends.map(|k| context.vertex(side, k, context.time));
     Some([(0, i, p?), (1, j, q?)].map(|(nth, index, point)| Marked { side, nth, index, point }))
