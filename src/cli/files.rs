@@ -301,6 +301,9 @@ impl Files {
             let drawn = self.motion.drawn(in_time, (plan, theme, &id)).map_err(refuse)?;
             let Figure { mut drawing, warnings, .. } = drawn;
             drawing.narrow = narrow((scene, theme), (&drawing, in_time), same_theme);
+            if self.steps.words {
+                drawing = plan.with_words_below(drawing, theme);
+            }
             timings.lap("draw");
             if self.strict && !warnings.is_empty() {
                 return Err(refuse(warnings).into());

@@ -24,6 +24,9 @@ pub(crate) struct StepOptions {
     /// The steps of an SVG are fragments of reveal.js
     #[arg(long, requires = "steps")]
     fragments: bool,
+    /// Write what each step says below its picture, where no page tells it
+    #[arg(long, requires = "steps")]
+    pub(crate) words: bool,
     /// Seconds that an animation shows each step, or the end of a motion; default: as long as the step's
     /// sentence takes to read, 2 for a motion
     #[arg(long, requires = InTime::GROUP, value_name = "SECONDS", value_parser = seconds)]
@@ -43,7 +46,7 @@ impl StepOptions {
 
     /// How a file of a format is written of a figure in steps; none for a file that shows one picture.
     pub(crate) fn in_one(&self, in_time: Option<InTime>, format: &Format) -> Option<InSteps> {
-        let all = InSteps { fragments: self.fragments, hold: self.hold };
+        let all = InSteps { fragments: self.fragments, words: self.words, hold: self.hold };
         let is_one = |files: StepFiles| !files.are_apart(format);
         matches!(in_time, Some(InTime::Steps(files)) if is_one(files)).then_some(all)
     }

@@ -70,6 +70,7 @@ mod unnamed;
 mod unseen_layer;
 mod view;
 mod whole;
+mod words_below;
 mod words_in_steps;
 
 #[cfg(test)]

@@ -15,6 +15,10 @@ const BOUNDS: [f64; 2] = [1.5, 9.0];
 pub struct InSteps {
     /// Whether the parts of an SVG are fragments of reveal.js.
     pub fragments: bool,
+    /// Whether the drawing has the words of each step below it, as
+    /// [`Plan::with_words_below`](crate::figure::Plan::with_words_below) writes them: that a file is another
+    /// one by.
+    pub words: bool,
     /// Seconds that an animation shows each step; none goes by the length of what a step says.
     pub hold: Option<f64>,
 }
@@ -23,7 +27,8 @@ impl InSteps {
     /// What tells it apart in the key of a file.
     pub(super) fn key(self) -> String {
         let hold = self.hold.map_or_else(|| "read".to_owned(), |seconds| seconds.to_string());
-        format!(" steps fragments={} hold={hold}", self.fragments)
+        let words = if self.words { " words" } else { "" };
+        format!(" steps fragments={} hold={hold}{words}", self.fragments)
     }
 }
 

@@ -10,7 +10,7 @@ use std::ops::Range;
 use crate::geometry::shape::ShapeError;
 use crate::geometry::sort_by;
 
-use super::{NOTES, codes};
+use super::codes;
 
 /// What is wrong.
 #[derive(Clone, Debug, PartialEq)]
@@ -314,15 +314,8 @@ impl Problems {
         self.found.len()
     }
 
-    /// The problems in the order of the file. A key that is there misspelt is not missing too.
+    /// The problems in the order of the file.
     pub(crate) fn into_sorted(mut self) -> Vec<Problem> {
-        let is_unknown = |p: &&Problem| NOTES && matches!(p.fault, Fault::UnknownKey { .. });
-        let meant: Vec<String> =
-            self.found.iter().filter(is_unknown).filter_map(|p| p.fault.help()).collect();
-        self.found.retain(|problem| match &problem.fault {
-            Fault::MissingKey { key, .. } => !meant.contains(&format!("did you mean `{key}`?")),
-            _ => true,
-        });
         sort_by(&mut self.found, |p, q| (p.span.start, p.span.end).cmp(&(q.span.start, q.span.end)));
         self.found
     }

@@ -80,6 +80,27 @@ fn a_pdf_has_a_page_a_step_with_its_title_and_a_gif_holds_as_long_as_asked() {
 }
 
 #[test]
+fn what_each_step_says_stands_below_it_where_asked() {
+    let folder = folder_with("s.toml", &scene());
+    let pictures = |arguments: &[&str]| -> Vec<String> {
+        let ran = render(folder.path(), &[&["--steps=files", "--format", "svg"], arguments].concat());
+        assert_eq!((ran.code, ran.out.lines().count()), (Some(0), 3), "{}", ran.err);
+        let read = |k: usize| fs::read_to_string(folder.path().join(format!("s.step-0{k}.svg"))).unwrap();
+        (1..=3).map(read).collect()
+    };
+    let height = |svg: &String| svg.split_once(" height=\"").unwrap().1.split_once('"').unwrap().0.to_owned();
+    let (told, bare) = (pictures(&["--words"]), pictures(&[]));
+    for (k, (told, bare)) in (1..).zip(told.iter().zip(&bare)) {
+        let said = |number: usize| told.contains(&format!(">{number} / 3: "));
+        assert!((1..=3).all(|number| said(number) == (number == k)), "{k}");
+        assert!(!bare.contains(" / 3: ") && height(told) != height(bare), "{k}");
+    }
+    assert!(told.iter().all(|svg| height(svg) == height(&told[0])), "nothing moves");
+    let ran = render(folder.path(), &["--words"]);
+    assert_eq!(ran.code, Some(2), "only of steps");
+}
+
+#[test]
 fn a_presentation_has_a_slide_a_step_of_every_scene_and_the_same_bytes_again() {
     let folder = folder_with("s.toml", &scene());
     fs::write(folder.path().join("t.toml"), scene()).unwrap();
