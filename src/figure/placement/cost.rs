@@ -225,7 +225,9 @@ pub(super) fn pair_cost(a: &Candidate, b: &Candidate, w: &Costs) -> f64 {
     if a.rect.grown(w.label_room).intersection(b.rect).is_some() {
         cost += w.overlap;
     } else if a.rect.grown(w.label_comfort).intersection(b.rect).is_some() {
-        cost += w.close * (1.0 - rect_distance(&a.rect, &b.rect) / w.label_comfort).max(0.0);
+        let apart = rect_distance(&a.rect, &b.rect);
+        cost += w.close * (1.0 - apart / w.label_comfort).max(0.0);
+        cost += w.as_one * (1.0 - apart / w.word).max(0.0);
     }
     cost
 }

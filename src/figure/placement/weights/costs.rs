@@ -80,6 +80,12 @@ super::numbers! {
         /// Two labels that nearly touch, falling to nothing at `label_comfort`.
         /// Twice: 10 + 45 labels; half: 13 + 50 labels.
         close: f64 = 4.0;
+        /// Two labels so near that a reader takes them for one, falling to nothing at `word`.
+        /// Twice and half: not counted.
+        as_one: f64 = 8.0;
+        /// Two labels at this distance are no more read as one, page pixels.
+        /// Twice and half: not counted.
+        word: f64 = 9.0;
         /// A stroke under a leader line.
         /// Twice: 2 + 9 labels; half: 2 + 12 labels.
         leader: f64 = 3.0;
