@@ -229,6 +229,7 @@ pub(crate) static WORDS: &[Row] = &rows([
     ["no contact", "", "kein Kontakt", "pas de contact", "sin contacto"],
     ["dropped", "", "verworfen", "écarté", "descartado"],
     ["* dropped", "*", "* verworfen", "* écarté", "* descartado"],
+    ["right here", "", "hier richtig", "ici juste", "aquí correcto"],
     ["half a turn", "", "halbe Drehung", "demi-tour", "media vuelta"],
     ["its normal", "", "ihre Normale", "sa normale", "su normal"],
     ["light", "", "Licht", "lumière", "luz"],

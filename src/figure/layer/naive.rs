@@ -1,6 +1,7 @@
 //! What a naive method claims, beside the answer that is proved: the bodies where it would have them touch.
 
 use crate::collision::naive::{Claim, Naive, WORDS, method};
+use crate::collision::{Answer, Outcome};
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Rank, Size, Sketch, Wash, Weight};
@@ -47,6 +48,9 @@ pub(super) const LAYER: Layer = Layer {
     draw,
 };
 
+/// How far apart the tips of two normals are that are one to the eye.
+const ALIKE: f64 = 0.02;
+
 /// The method of a panel with what it claims.
 fn claim(context: &Context, options: &Options) -> Option<(&'static Naive, Claim)> {
     let method = method(options.word(METHOD, ""), context.scene.query.kind)?;
@@ -57,6 +61,7 @@ fn claim(context: &Context, options: &Options) -> Option<(&'static Naive, Claim)
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some((method, claim)) = claim(context, options) else { return };
     sketch.since(context.answered());
+    let right = is_right(context, &claim);
     let (said, at, by) = match claim {
         Claim::Separation(s, n) => (format!("$s = {}$", number(s)), context.time, Some(n * -s)),
         Claim::Hit(t) => (format!("hit at $t = {}$", number(t)), t, None),
@@ -87,18 +92,34 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let gap = gap.and_then(|run| run.separation().map(|s| s.points));
     // What moves nothing says so where it should have been.
     let anchor = gap.map_or_else(|| Anchor::inside(&outline), |[p, q]| Anchor::middle(p, q));
-    label(sketch, method, &said, anchor, role);
+    label(sketch, method, (&said, right), anchor, role);
 }
 
 /// Draws the one point at which a method would have the bodies touch.
 fn contact(sketch: &mut Sketch, method: &Naive, at: DVec2, role: Role) {
     sketch.part("claimed").marker(at, Marker::Diamond, role, MARKER);
-    label(sketch, method, "one point", Anchor::point(at), role);
+    label(sketch, method, ("one point", false), Anchor::point(at), role);
 }
 
-/// Writes what a method claims where it would have a body, or a point.
-fn label(sketch: &mut Sketch, method: &Naive, said: &str, anchor: Anchor, role: Role) {
-    let lines = vec![format!("{}:", method.name.replace('-', " ")), said.to_owned()];
+/// Whether a claim is true of these bodies, as it is written: a method that is wrong of others may well be
+/// right here, and a reader looks for an error that is none.
+fn is_right(context: &Context, claim: &Claim) -> bool {
+    let exact = || context.separation_at(context.time).and_then(|run| run.separation().copied());
+    match claim {
+        Claim::Separation(s, n) => exact()
+            .is_some_and(|exact| number(exact.separation) == number(*s) && exact.normal.distance(*n) < ALIKE),
+        Claim::Hit(t) => context.hit_time().is_some_and(|hit| number(hit.lo) == number(*t)),
+        Claim::Miss => {
+            matches!(&context.run().answer, Answer::Impact(impact) if impact.outcome == Outcome::Miss)
+        }
+        Claim::Contact(_) | Claim::Nothing => false,
+    }
+}
+
+/// Writes what a method claims where it would have a body, or a point, and whether that is right.
+fn label(sketch: &mut Sketch, method: &Naive, (said, right): (&str, bool), anchor: Anchor, role: Role) {
+    let mut lines = vec![format!("{}:", method.name.replace('-', " ")), said.to_owned()];
+    lines.extend(right.then(|| "right here".to_owned()));
     let label = Label { lines, ..Label::new("naive", "", anchor, role) };
     sketch.label(label.rank(Rank::Name).size(Size::Note));
 }
@@ -129,6 +150,22 @@ mod tests {
         assert!(text.contains("largest gap") && text.contains("-0.1"), "{text}");
         assert_eq!(paths(&figure.drawing.items, "claimed-B").len(), 1);
         assert!(paths(&figure.drawing.items, "claimed-A").is_empty());
+    }
+
+    #[test]
+    fn a_method_that_is_right_of_these_bodies_says_so() {
+        let right = |b: &str, method: &str| {
+            let layer = format!("{{ layer = 'naive', method = '{method}' }}");
+            labels(&figure(BOX, b, "separation", &layer).unwrap())["naive"].0.contains("right here")
+        };
+        assert!(!right(BALL, "largest-gap"), "at a corner it takes an edge");
+        assert!(right("kind = 'circle', radius = 0.8, position = [3, 0.5]", "largest-gap"));
+        let moving = |b: &str| {
+            let bullet = "kind = 'circle', radius = 0.2, position = [-3, 0], velocity = [6, 0]";
+            labels(&figure(bullet, b, "linear-sweep", "'naive'").unwrap())["naive"].0.clone()
+        };
+        assert!(!moving("kind = 'aabb', half_extents = [0.1, 1]").contains("right here"));
+        assert!(moving("kind = 'aabb', half_extents = [0.1, 1], position = [0, 9]").contains("right here"));
     }
 
     #[test]
