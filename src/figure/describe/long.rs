@@ -1,13 +1,14 @@
 //! The long text: a paragraph.
 
-use crate::collision::{Answer, Outcome};
+use crate::collision::{Answer, Off, Outcome};
 use crate::figure::question::is_found_on_the_difference;
 use crate::figure::runs::Run;
 use crate::figure::text::plain;
+use crate::figure::tongue::voice;
 use crate::geometry::Body;
-use crate::scene::{Panel, Scene, Space, Spanned, When};
+use crate::scene::{Panel, Scene, Solution, Space, Spanned, When};
 use crate::trace::told::is_by_component;
-use crate::trace::{Event, Phrase};
+use crate::trace::{Event, Hand, Phrase, sentence_in};
 
 use super::body::{body_in_words, kind_in_words};
 use super::number::Speech;
@@ -43,6 +44,7 @@ pub(crate) fn long((scene, run): (&Scene, &Run), told: &Account, panels: &[Shown
     text += &told.sentence();
     text.push(' ');
     text += &steps((scene, run), speech);
+    text += &compared(scene, run);
     text += &shown(scene, panels);
     text.trim_end().to_owned()
 }
@@ -55,6 +57,13 @@ fn bystanders(scene: &Scene, speech: Speech) -> String {
     };
     let all: Vec<String> = others.map(named).collect();
     if all.is_empty() { String::new() } else { speech.say(&BESIDE, &[&all.join(", ")]) }
+}
+
+/// How far off what the scene expects is; empty where it expects nothing.
+fn compared(scene: &Scene, run: &Run) -> String {
+    let off = scene.query.expected.and_then(|_| Solution::told(scene, run.answer.clone()).off);
+    let said = |off: Off| sentence_in(&off.event(), voice(scene, &scene.names(), Hand::Words)) + " ";
+    off.map_or_else(String::new, said)
 }
 
 /// How the answer was found: the algorithm, and how many steps or edges it took.
@@ -88,7 +97,11 @@ pub(crate) fn shown(scene: &Scene, panels: &[Shown]) -> String {
         } else {
             speech.say(&PICTURE, &[&title])
         };
-        let layers: Vec<&str> = layers.iter().map(|phrase| speech.0.word(*phrase)).collect();
+        let mut layers: Vec<&str> = layers.iter().map(|phrase| speech.0.word(*phrase)).collect();
+        let named = layers.clone();
+        let mut index = 0..;
+        // A layer that is there twice is told once.
+        layers.retain(|word| index.next().is_some_and(|i: usize| !named[..i].contains(word)));
         if layers.is_empty() {
             text += &speech.say(&EMPTY, &[&which]);
             continue;
@@ -167,5 +180,15 @@ mod tests {
             query = { kind = 'separation', of = ['a', 'b'], algorithm = 'extents' }",
         );
         assert!(told.ends_with("Found by extents."), "{told}");
+    }
+
+    #[test]
+    fn how_far_off_what_was_expected_is_stands_in_the_text() {
+        let told = told(
+            "shapes.a = { kind = 'circle', radius = 1 }
+            shapes.b = { kind = 'circle', radius = 1, position = [3, 4] }
+            query = { kind = 'separation', of = ['a', 'b'], expected = { separation = 3.25 } }",
+        );
+        assert!(told.ends_with("What was expected is off, with S = 2: the separation by 0.25."), "{told}");
     }
 }
