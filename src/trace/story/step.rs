@@ -142,6 +142,7 @@ pub(crate) fn title(event: &Event, of: usize, voice: Voice) -> String {
         Event::MotionBounded { .. } => &words::BOUND,
         Event::EdgesFaced { .. } => &words::FACED,
         Event::EdgeCut { .. } => &words::CUT,
+        Event::ContactFound { touches: false, .. } => &words::NO_CONTACT,
         Event::ContactFound { .. } => &words::CONTACT,
         Event::Finished { .. } => &words::ANSWER,
     })

@@ -121,6 +121,11 @@ phrases! {
     CUT: "Cut off", "Abgeschnitten", "Coupé", "Recortado";
     /// A point of contact.
     CONTACT: "A point of contact", "Ein Kontaktpunkt", "Un point de contact", "Un punto de contacto";
+    /// A point between the planes that does not touch.
+    NO_CONTACT: "A point without contact",
+        "Ein Punkt ohne Kontakt",
+        "Un point sans contact",
+        "Un punto sin contacto";
     /// The last step.
     ANSWER: "The answer", "Die Antwort", "La réponse", "La respuesta";
     /// V: from which body, to which, V, in whose frame.
