@@ -8,8 +8,8 @@ use std::sync::Arc;
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use tracefig::drift::{Stamp, facts, fingerprint, is_whole, restamped};
-use tracefig::figure::Figure;
 use tracefig::figure::theme;
+use tracefig::figure::{Figure, no_playhead};
 use tracefig::output::{Format, INLINE, MOST_BYTES, Options, PngEffort};
 use tracefig::scene::{Ink, Refused, Scene, SceneFile, Variant, visible};
 
@@ -299,7 +299,8 @@ impl Files {
             let plan = planned_anew.as_ref().unwrap_or(&plan);
             let id = figure_id(job, first);
             let drawn = self.motion.drawn(in_time, (plan, theme, &id)).map_err(refuse)?;
-            let Figure { mut drawing, warnings, .. } = drawn;
+            let Figure { mut drawing, mut warnings, .. } = drawn;
+            warnings.extend(self.live.and_then(|_| no_playhead(scene)));
             drawing.narrow = narrow((scene, theme), (&drawing, in_time), same_theme);
             if self.steps.words {
                 drawing = plan.with_words_below(drawing, theme);
