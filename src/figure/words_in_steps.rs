@@ -1,8 +1,7 @@
 //! When captions come in a figure in steps: with what they are about, so that none tells what is to come.
 //!
-//! A panel's caption comes with the first mark of the panel that was not there from the start; one that
-//! writes a value of the answer, with the panel's last mark. The caption of the figure comes at once or
-//! last.
+//! A panel's caption comes with the panel's last mark, as it tells of all of them. The caption of the figure
+//! comes at once, or last where it writes a value.
 
 use std::collections::BTreeSet;
 
@@ -18,13 +17,13 @@ const VALUE: &str = "{=";
 /// steps.
 pub(super) fn let_captions_come(items: &mut [Item], scopes: &[Scope], plan: &Plan, count: usize) {
     for (scope, panel) in scopes.iter().zip(&plan.panels) {
-        let Some(text) = &panel.source.caption else { continue };
+        if panel.source.caption.is_none() {
+            continue;
+        }
         let own = &mut items[scope.items.clone()];
         let mut marks = BTreeSet::new();
         own.iter().filter(|item| !is_caption(item)).for_each(|item| collect(item, &mut marks));
-        let later = marks.iter().find(|&&step| step > 1);
-        let comes = if text.value.contains(VALUE) { marks.last() } else { later };
-        if let Some(&since) = comes {
+        if let Some(&since) = marks.last() {
             own.iter_mut().filter(|item| is_caption(item)).for_each(|item| come(item, since));
         }
     }
@@ -52,14 +51,14 @@ mod tests {
 
     #[test]
     fn no_caption_tells_what_is_still_to_come() {
-        let comes = |panel: &str, caption: &str| {
+        let comes = |caption: &str| {
             let text = format!(
                 "shapes.A = {{ kind = 'polygon', vertices = [[-3, 0], [3, -2], [1, 2]] }}
                 shapes.B = {{ kind = 'polygon', vertices = [[2, 5], [6, 2], [5, 5]] }}
                 query = {{ kind = 'separation', of = ['A', 'B'], algorithm = 'gjk' }}
                 caption = '{caption}'
-                panels = [{{ space = 'configuration', caption = '{panel}',
-                    layers = [{{ layer = 'simplex', step = 2 }}, {{ layer = 'simplex', step = 3 }}] }}]"
+                panels = [{{ space = 'configuration', caption = 'two of them',
+                    layers = [{{ layer = 'simplex', step = 1 }}, {{ layer = 'simplex', step = 2 }}] }}]"
             );
             let scene = open_text("s", &text).unwrap().scene;
             let plan = plan(&scene).unwrap();
@@ -72,10 +71,10 @@ mod tests {
             let (whole, panels) = drawing.items.split_last().unwrap();
             (since(panels), since(std::slice::from_ref(whole)), drawing.steps.len())
         };
-        let (panel, whole, count) = comes("a corner", "all");
-        assert_eq!((panel, whole), (vec![2], vec![1]));
-        let (panel, whole, _) = comes("it is {=separation}", "they are {=separation} apart");
-        assert_eq!((panel, whole), (vec![count], vec![count]));
-        assert!(count > 2);
+        let (panel, whole, count) = comes("all");
+        assert_eq!((panel, whole), (vec![3], vec![1]), "with the second simplex, and at once");
+        assert!(count >= 3, "{count}");
+        let (panel, whole, _) = comes("they are {=separation} apart");
+        assert_eq!((panel, whole), (vec![3], vec![count]));
     }
 }
