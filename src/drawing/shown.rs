@@ -28,11 +28,6 @@ impl Shown {
         self.since <= step && self.until.is_none_or(|until| step < until)
     }
 
-    /// Whether it is seen in the last step that shows `other`.
-    pub(crate) fn outlasts(self, other: Self) -> bool {
-        other.until.map_or(self.until.is_none(), |end| self.at(end.saturating_sub(1)))
-    }
-
     /// With numbers that stand for names in a list, of which there are `more` before now; 1 stands for none.
     pub(crate) fn after(self, more: usize) -> Self {
         let after = |number: usize| if number > 1 { number + more } else { number };

@@ -2,11 +2,13 @@
 //!
 //! A halo covers the lines that cross its text, and the see-through areas under the text's middle go on over
 //! it: of a text across an area's edge the middle decides, as no one colour fits. Areas that are opaque are
-//! marks; those of the page's colour hide what is below them.
+//! marks; those of the page's colour hide what is below them. Where an area comes with a later step than the
+//! text that it lies under, the text is there twice: until then with the halo of before.
 
 use std::f64::consts::PI;
 
-use crate::drawing::{Contour, Halo, Item, Paint, Path, Point, Rect, Role, Segment, Shown, Text};
+use crate::drawing::{Contour, Item, Paint, Path, Point, Rect, Role, Segment, Shown, Text};
+use crate::geometry::sort_by;
 use crate::typeset::UNITS_PER_EM;
 
 use super::polyline::Polyline;
@@ -32,7 +34,7 @@ struct Area {
 }
 
 /// Gives the halos of a drawing, in painting order, the colours of the areas that their texts lie on.
-pub(crate) fn tint(items: &mut [Item]) {
+pub(crate) fn tint(items: &mut Vec<Item>) {
     let (texts, points) = items.iter().map(size).fold((0, 0), |all, one| (all.0 + one.0, all.1 + one.1));
     if texts.saturating_mul(points) <= MOST_PAIRS {
         walk(items, (None, 1.0), &mut Vec::new());
@@ -52,8 +54,9 @@ fn size(item: &Item) -> (usize, usize) {
 }
 
 /// Goes through the items of a group of this clip and opacity, of which `areas` were drawn before.
-fn walk(items: &mut [Item], (clip, opacity): (Option<Rect>, f64), areas: &mut Vec<Area>) {
-    for item in items {
+fn walk(items: &mut Vec<Item>, (clip, opacity): (Option<Rect>, f64), areas: &mut Vec<Area>) {
+    let mut before = Vec::new();
+    for (index, item) in items.iter_mut().enumerate() {
         match item {
             Item::Group(group) => {
                 let clip = match (clip, group.clip.map(|clip| clip.rect)) {
@@ -65,13 +68,30 @@ fn walk(items: &mut [Item], (clip, opacity): (Option<Rect>, f64), areas: &mut Ve
             Item::Path(path) => areas.extend(area(path, clip, opacity)),
             Item::Text(text) => {
                 let Some(middle) = ink(text).map(Rect::center) else { continue };
-                let shown = text.shown;
-                let Some(halo) = text.halo.as_mut().filter(|h| h.paint.role == Some(Role::Background)) else {
+                if text.halo.as_ref().is_none_or(|halo| halo.paint.role != Some(Role::Background)) {
                     continue;
-                };
-                lay(halo, under(middle, shown, areas));
+                }
+                let below: Vec<&Area> = areas.iter().filter(|area| area.holds(middle)).collect();
+                let later = below.iter().map(|area| area.shown.since).filter(|&since| {
+                    since > text.shown.since && text.shown.until.is_none_or(|until| since < until)
+                });
+                let mut steps: Vec<usize> = later.collect();
+                sort_by(&mut steps, usize::cmp);
+                steps.dedup();
+                for step in steps {
+                    let mut early = text.clone();
+                    early.shown.until = Some(step);
+                    lay(&mut early, under(&below, step - 1));
+                    before.push((index, Item::Text(early)));
+                    text.shown.since = step;
+                }
+                let last = text.shown.until.map_or(usize::MAX, |until| until - 1);
+                lay(text, under(&below, last));
             }
         }
+    }
+    for (index, early) in before.into_iter().rev() {
+        items.insert(index, early);
     }
 }
 
@@ -138,11 +158,10 @@ fn ink(text: &Text) -> Option<Rect> {
     glyphs.reduce(Rect::union)
 }
 
-/// The areas under the middle of a text in the last step that shows it, the lowest first; none where they are
-/// too many.
-fn under(middle: Point, shown: Shown, areas: &[Area]) -> Vec<Paint> {
+/// What lies `below` a text in a step, the lowest first; nothing where that is too much.
+fn under(below: &[&Area], step: usize) -> Vec<Paint> {
     let mut found = Vec::new();
-    for area in areas.iter().filter(|area| area.shown.outlasts(shown) && area.holds(middle)) {
+    for area in below.iter().filter(|area| area.shown.since <= step) {
         if area.paint.opacity >= 1.0 {
             found.clear();
         }
@@ -165,8 +184,9 @@ impl Area {
     }
 }
 
-/// Lays areas over a halo.
-fn lay(halo: &mut Halo, areas: Vec<Paint>) {
+/// Lays areas over the halo of a text.
+fn lay(text: &mut Text, areas: Vec<Paint>) {
+    let Some(halo) = &mut text.halo else { return };
     halo.paint.color = areas.iter().fold(halo.paint.color, |under, area| area.over(under));
     halo.areas = areas;
 }
@@ -174,7 +194,7 @@ fn lay(halo: &mut Halo, areas: Vec<Paint>) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::drawing::Color;
+    use crate::drawing::{Color, Halo};
     use crate::figure::theme::THEMES;
     use crate::figure::{Figure, draw, plan};
     use crate::scene::open_text;
@@ -205,6 +225,22 @@ mod tests {
             Item::Group(group) => halo(&group.items, key),
             _ => None,
         })
+    }
+
+    #[test]
+    fn a_halo_knows_nothing_of_an_area_that_comes_later() {
+        let text = "shapes.A = { kind = 'aabb', half_extents = [1, 1] }
+            shapes.B = { kind = 'aabb', half_extents = [1, 1], position = [0.5, 0.25] }
+            query = { kind = 'separation', of = ['A', 'B'], algorithm = 'minkowski' }
+            panels = [{ space = 'configuration', layers = ['difference', 'origin'] }]";
+        let scene = open_text("halo", text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let drawing = crate::figure::draw_in_steps(&plan, plan.theme, "halo").drawing;
+        let (page, last) = (plan.theme.color(Role::Background), drawing.steps.len());
+        let of_step = |step: usize| halo(&drawing.at_step(step).items, "O").unwrap().paint.color;
+        assert_eq!(of_step(1), page);
+        assert_ne!(of_step(last), page, "O lies on B ⊖ A");
+        assert_eq!(drawing.at_step(last), draw(&plan, plan.theme, "halo").drawing);
     }
 
     #[test]
@@ -251,15 +287,13 @@ mod tests {
         };
         let tint = Paint::role(Role::A, Color::hex(0)).with_opacity(0.5);
         let page = Paint::role(Role::Background, Color::hex(0xFF_FF_FF));
-        let at = Point::new(10.0, 10.0);
         let areas: Vec<Area> = [tint, page, tint].into_iter().filter_map(square).collect();
-        assert_eq!(under(at, Shown::ALWAYS, &areas[..1]), [tint]);
-        assert_eq!(under(at, Shown::ALWAYS, &areas[..2]), []);
-        assert_eq!(under(at, Shown::ALWAYS, &areas), [tint]);
-        let of = |since, until| Shown { since, until };
-        let late = [Area { shown: of(3, None), ..square(tint).unwrap() }];
-        assert_eq!(under(at, of(2, None), &late), [tint], "there in the finished figure");
-        assert_eq!(under(at, of(1, Some(3)), &late), [], "the text is gone when it comes");
-        assert_eq!(under(at, of(1, Some(4)), &late), [tint]);
+        let below: Vec<&Area> = areas.iter().collect();
+        assert_eq!(under(&below[..1], 1), [tint]);
+        assert_eq!(under(&below[..2], 1), []);
+        assert_eq!(under(&below, 1), [tint]);
+        let late = Area { shown: Shown { since: 3, until: None }, ..square(tint).unwrap() };
+        assert_eq!(under(&[&late], 2), [], "it is not there yet");
+        assert_eq!(under(&[&late], 3), [tint]);
     }
 }
