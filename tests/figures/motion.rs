@@ -147,7 +147,7 @@ fn figure_7_adds_up_the_fastest_approach_and_shows_what_is_left_at_the_bound() {
         f.texts.iter().any(|(t, _)| t.contains("nearer by 4 in a unit of time")),
         f.texts.iter().any(|(t, _)| t.contains(r"r_B|\omega_B| = 4$ at most")),
         f.texts.iter().any(|(t, _)| t.contains("$4 + 4 = 8$") && t.contains("d / 8 = 0.4$")),
-        f.says("$d = 1.66$"),
+        f.says("$1.66$"),
     ];
 }
 
