@@ -13,8 +13,10 @@ use crate::typeset::UNITS_PER_EM;
 
 use super::polyline::Polyline;
 
-/// The turn of a piece of an arc, radians, 36 to a circle: its line is 2 px off on a circle of 500.
+/// The turn of a piece of an arc at most, radians, 36 to a circle: its line is 2 px off on a circle of 500.
 const PIECE: f64 = PI / 18.0;
+/// How far the line of a piece is off its arc at most, page pixels: an inset enlarges circles to thousands.
+const OFF: f64 = 2.0;
 /// The most areas that a halo shows through itself: five are a panel's ground, A, B, B ⊖ A and a sector.
 const MOST_AREAS: usize = 5;
 /// The most pairs of a text and a point of an area's line that are looked at: a hundred times a figure's.
@@ -134,9 +136,11 @@ fn points(contour: &Contour) -> Option<Vec<Point>> {
 
 /// Points along an arc.
 fn arc(center: Point, radius: f64, start: f64, sweep: f64) -> Vec<Point> {
+    // A chord of a turn θ is r θ²/8 off.
+    let piece = PIECE.min((8.0 * OFF / radius).sqrt());
     let mut shares = vec![0.0];
     while let Some(&last) = shares.last().filter(|&&last| last < 1.0) {
-        shares.push((last + PIECE / sweep.abs()).min(1.0));
+        shares.push((last + piece / sweep.abs()).min(1.0));
     }
     let at = |share: f64| start + sweep * share;
     let on =
@@ -225,6 +229,20 @@ mod tests {
             Item::Group(group) => halo(&group.items, key),
             _ => None,
         })
+    }
+
+    #[test]
+    fn a_point_just_within_a_large_arc_lies_on_its_area() {
+        for radius in [10.0, 500.0, 1e4, 1e6] {
+            let circle = Path::filled(
+                Contour::Circle { center: Point::new(0.0, 0.0), radius },
+                Paint::role(Role::Overlap, Color::hex(0)),
+            );
+            let area = area(&circle, None, 1.0).unwrap();
+            let at =
+                |angle: f64| Point::new((radius - 4.0) * libm::cos(angle), (radius - 4.0) * libm::sin(angle));
+            assert!((0..100).all(|k| area.holds(at(0.0628 * f64::from(k) + 0.01))), "{radius}");
+        }
     }
 
     #[test]
