@@ -10,6 +10,7 @@ use crate::geometry::{DVec2, Side};
 use crate::trace::phrase;
 
 use super::ghosts::ghost;
+use super::look_alike::point_alike;
 use super::normal::unit_vector;
 use super::{Fed, LabelKey, Layer, Options, Shows, Tells};
 
@@ -42,8 +43,6 @@ pub(super) const LAYER: Layer = Layer {
 /// By how much a line may be longer or shorter than the number beside it says, page pixels: the width of a
 /// line, which nobody sees. Digits that another engine cut off are less.
 const SEEN: f64 = 2.0;
-/// How far apart the tips of unit vectors are that are one to the eye: 1.7 px of an arrow of 85.
-const ALIKE: f64 = 0.02;
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(theirs) = context.scene.query.expected else { return };
@@ -71,7 +70,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let from = theirs.points.map(|[p, _]| p).or(ours.map(|ours| ours.points[0]));
     if let (Some(n), Some(from)) = (theirs.normal, from) {
         let is_one = |ours: &&Separation| {
-            ours.normal.distance(*n) < ALIKE && sketch.on_page(ours.points[0].distance(from)) < SEEN
+            point_alike(*ours.normal, *n) && sketch.on_page(ours.points[0].distance(from)) < SEEN
         };
         if let Some(ours) = ours.as_ref().filter(is_one) {
             normal(sketch, from, *ours.normal, ("n", "$n$, as expected", Role::Translation));

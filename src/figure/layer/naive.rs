@@ -9,6 +9,7 @@ use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
 use crate::trace::phrase;
 
+use super::look_alike::point_alike;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
 
 /// The option that names the method.
@@ -47,9 +48,6 @@ pub(super) const LAYER: Layer = Layer {
     },
     draw,
 };
-
-/// How far apart the tips of two normals are that are one to the eye.
-const ALIKE: f64 = 0.02;
 
 /// The method of a panel with what it claims.
 fn claim(context: &Context, options: &Options) -> Option<(&'static Naive, Claim)> {
@@ -107,7 +105,7 @@ fn is_right(context: &Context, claim: &Claim) -> bool {
     let exact = || context.separation_at(context.time).and_then(|run| run.separation().copied());
     match claim {
         Claim::Separation(s, n) => exact()
-            .is_some_and(|exact| number(exact.separation) == number(*s) && exact.normal.distance(*n) < ALIKE),
+            .is_some_and(|exact| number(exact.separation) == number(*s) && point_alike(*exact.normal, *n)),
         Claim::Hit(t) => context.hit_time().is_some_and(|hit| number(hit.lo) == number(*t)),
         Claim::Miss => {
             matches!(&context.run().answer, Answer::Impact(impact) if impact.outcome == Outcome::Miss)
