@@ -1,6 +1,7 @@
 //! Options that change nothing of what their layer draws, as `centers` of a ghost that has no centre of its
 //! own: found by drawing the panel without them.
 
+use crate::geometry::sort_by;
 use crate::scene::{LayerSpec, Scene, Variant};
 
 use super::fault::{Fault, Problem};
@@ -23,27 +24,47 @@ pub(super) fn idle(
         return Vec::new();
     }
     let specs = || scene.panels.iter().flat_map(|panel| panel.layers.iter().flatten());
-    let of_layer = |panel: &PanelPlan, own: &Sketched, (index, planned): (usize, &LayerPlan)| {
-        let Some(spec) = specs().find(|spec| spec.name.span == planned.span) else { return Vec::new() };
+    let flags_of = |planned: &LayerPlan| -> Option<Flags<'_>> {
+        let spec = specs().find(|spec| spec.name.span == planned.span)?;
         let is_told =
             |p: &Problem| planned.span == p.span || spec.options.iter().any(|(key, _)| key.span == p.span);
-        if told.iter().any(is_told) {
-            return Vec::new();
-        }
-        let changes = |option: &OptionSpec| {
-            let other =
-                panel.sketch_with((index, &planned.options.without(option.name)), (scene, runs, theme));
-            differ(own, &other, index)
-        };
-        let idle = planned.layer.options.iter().filter(|option| is_unusual(option, &planned.options));
-        let idle = idle.filter(|option| !changes(option));
-        idle.filter_map(|option| note(spec, planned.layer.name, option.name)).collect()
+        let flags = planned.layer.options.iter().filter(|option| is_unusual(option, &planned.options));
+        (!told.iter().any(is_told)).then(|| Flags { spec, names: flags.map(|option| option.name).collect() })
     };
     let of_panel = |(panel, own): (&PanelPlan, &Sketched)| -> Vec<Problem> {
-        let layers = panel.layers.iter().enumerate().filter(|_| panel.source.inset.is_none());
-        layers.flat_map(|planned| of_layer(panel, own, planned)).collect()
+        let layers = panel.layers.iter().filter(|_| panel.source.inset.is_none());
+        let flags: Vec<_> = layers.map(flags_of).collect();
+        let idle = |nth| {
+            let other = panel.sketch_with(&without(panel, &flags, nth), (scene, runs, theme));
+            let of_layer = |(index, (planned, flags)): (usize, (&LayerPlan, &Option<Flags>))| {
+                let Flags { spec, names } = flags.as_ref()?;
+                let option = names.get(nth).filter(|_| !differ(own, &other, index))?;
+                note(spec, planned.layer.name, option)
+            };
+            panel.layers.iter().zip(&flags).enumerate().filter_map(of_layer).collect::<Vec<_>>()
+        };
+        let most = flags.iter().flatten().map(|flags| flags.names.len()).max().unwrap_or(0);
+        let mut notes: Vec<Problem> = (0..most).flat_map(idle).collect();
+        sort_by(&mut notes, |p, q| p.span.start.cmp(&q.span.start));
+        notes
     };
     panels.iter().zip(sketched).flat_map(of_panel).collect()
+}
+
+/// A layer of a scene, and its flags that are not what holds without them.
+struct Flags<'s> {
+    spec: &'s LayerSpec,
+    names: Vec<&'static str>,
+}
+
+/// The options of a panel's layers, each without its flag of a number: so there are as many drawings as one
+/// layer has flags, however many layers there are.
+fn without(panel: &PanelPlan, flags: &[Option<Flags>], nth: usize) -> Vec<Option<Options>> {
+    let of_layer = |(planned, flags): (&LayerPlan, &Option<Flags>)| {
+        let flag = flags.as_ref()?.names.get(nth)?;
+        Some(planned.options.without(flag))
+    };
+    panel.layers.iter().zip(flags).map(of_layer).collect()
 }
 
 /// Whether a scene gives a flag that does not hold without it. A word or a number says which thing is meant,
@@ -92,5 +113,8 @@ mod tests {
         assert_eq!(told("{ layer = 'shapes', of = 'car', dotted = true }"), idle("dotted", "shapes"));
         assert_eq!(told("{ layer = 'shapes', dotted = false }"), [""; 0], "what holds without it");
         assert_eq!(told("{ layer = 'separation', points = true }"), [""; 0]);
+        let two = "{ layer = 'shapes', of = 'car', dotted = true, centers = true },
+                   { layer = 'shapes', of = 'car', dotted = true }";
+        assert_eq!(told(two), [idle("dotted", "shapes"), idle("dotted", "shapes")].concat());
     }
 }

@@ -170,14 +170,14 @@ impl PanelPlan<'_> {
         }
     }
 
-    /// What every layer draws where the one of an index has other options.
+    /// What every layer draws where some have other options, by their place in the panel.
     pub(crate) fn sketch_with(
         &self,
-        (index, options): (usize, &Options),
+        other: &[Option<Options>],
         (scene, runs, theme): (&Scene, &Runs, &Theme),
     ) -> Sketched {
         let context = &self.context(scene, runs);
-        let other = |k| if k == index { Some(options) } else { None };
+        let other = |index: usize| other.get(index)?.as_ref();
         self.drawn_with(begun(self.frame, context, theme), context, other).finish()
     }
 
