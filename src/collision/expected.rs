@@ -7,7 +7,7 @@
 use crate::collision::answer::{Part, Parts};
 use crate::collision::size::scale_of;
 use crate::collision::{Answer, ClosestApproach, Outcome, Query, Separation};
-use crate::geometry::{Body, DVec2, Enclosure, Feature, Side, UnitVector, perp};
+use crate::geometry::{Body, DVec2, Enclosure, Feature, Pose, Side, UnitVector, perp};
 use crate::trace::Event;
 
 /// Gaps along directions that tie differ by no more than this times S: what doubles leave of them.
@@ -128,22 +128,41 @@ fn beyond(x: Option<f64>, bounds: Option<Enclosure>) -> Option<f64> {
     Some(if x > hi { x - hi } else { (x - lo).min(0.0) })
 }
 
-/// The angle between a normal and ours, in degrees; 0 where the gap along it is the separation too, as that
-/// along any of several normals that tie.
+/// The angle between a normal and ours, in degrees. Where several tie it is that to the nearest: 0 where the
+/// gap along it is the separation too, and else at most that to an edge's normal of which that holds.
 fn normal_off(bodies: [&Body; 2], n: UnitVector, (ours, time): &(Separation, f64), size: f64) -> f64 {
-    if ours.ties != 1 {
-        let far = |body: &Body, n: DVec2| {
-            let pose = body.pose_at(*time);
-            let heights = body.shape.vertices.iter().map(|&v| n.dot(pose.point(v)));
-            heights.fold(f64::NEG_INFINITY, f64::max) + body.shape.radius
-        };
-        let gap = -far(bodies[1], -*n) - far(bodies[0], *n);
-        if (gap - ours.separation).abs() <= TIED * size {
-            return 0.0;
+    let angle = |m: DVec2| libm::atan2(n.perp_dot(m).abs(), n.dot(m)).to_degrees();
+    let own = angle(*ours.normal);
+    if ours.ties == 1 {
+        return own;
+    }
+    let [a, b] = bodies.map(|body| (body, body.pose_at(*time)));
+    let between = b.1.position - a.1.position;
+    // From the body's own origin: far out a product of places has too few digits.
+    let far = |(body, pose): (&Body, Pose), n: DVec2| {
+        let heights = body.shape.vertices.iter().map(|&v| n.dot(pose.vector(v)));
+        heights.fold(f64::NEG_INFINITY, f64::max) + body.shape.radius
+    };
+    let ties = |n: DVec2| {
+        let gap = n.dot(between) - far(b, -n) - far(a, n);
+        (gap - ours.separation).abs() <= TIED * size
+    };
+    if ties(*n) {
+        return 0.0;
+    }
+    let mut least = own;
+    for ((body, pose), sign) in [(a, 1.0), (b, -1.0)] {
+        let corners = &body.shape.vertices;
+        for (p, q) in corners.iter().zip(corners.iter().cycle().skip(1)) {
+            if let Some(along) = pose.vector(*q - *p).try_normalize() {
+                let out = -perp(along) * sign;
+                if ties(out) {
+                    least = least.min(angle(out));
+                }
+            }
         }
     }
-    let m = *ours.normal;
-    libm::atan2(n.perp_dot(m).abs(), n.dot(m)).to_degrees()
+    least
 }
 
 /// The distances of points from where ours may be: a point, or where edges lie along each other all of the
@@ -262,6 +281,9 @@ mod tests {
             assert_eq!(off(&a, &b, normal(x, y)).normal_deg, Some(0.0));
         }
         assert!(off(&a, &b, normal(1.0, 1.0)).normal_deg.unwrap() > 40.0);
+        // As far from the nearest one, whichever of them is ours.
+        let nearly = off(&a, &b, normal(-1.0, 5.960_464_5e-8)).normal_deg.unwrap();
+        assert!(nearly > 0.0 && nearly < 4e-6, "{nearly}");
         let points = Expected { points: Some([DVec2::X, DVec2::Y]), ..Expected::default() };
         assert_eq!(off(&a, &b, points).points, None);
     }

@@ -1,4 +1,4 @@
-//! One point of contact: the vertex of B that is deepest in A.
+//! One point of contact: of the vertices of both bodies the one that is deepest in the other.
 //!
 //! A crate on the ground has two that are as deep. Held at one of them it turns about it, sinks in at the
 //! other, and is held there in the next frame: it trembles. Clipping finds both (see `algorithm/clip.rs`).
@@ -17,9 +17,12 @@ pub(super) const NAIVE: Naive = Naive {
         if found.separation > 0.0 {
             return Some(Claim::Miss);
         }
-        let [_, placed] = both([a, b], time)?;
+        let [a, b] = both([a, b], time)?;
         let n = *found.normal;
-        Some(Claim::Contact(placed.support(-n) - n * placed.radius))
+        // The one that is where they touch: a far corner of a large body is in nothing.
+        let deepest = [a.support(n) + n * a.radius, b.support(-n) - n * b.radius];
+        let [of_a, of_b] = [0, 1].map(|i: usize| deepest[i].distance(found.points[i]));
+        Some(Claim::Contact(deepest[usize::from(of_b <= of_a)]))
     },
 };
 
@@ -40,6 +43,11 @@ mod tests {
         let near = |p: DVec2, x: f64| (p - DVec2::new(x, -0.0625)).length() < 1e-3;
         assert!(near(at(0.01), -1.0) && near(at(-0.01), 1.0), "{} {}", at(0.01), at(-0.01));
         assert!(near(at(0.0), -1.0) || near(at(0.0), 1.0), "{}", at(0.0));
+        for tilt in [0.01, 0.0] {
+            let on_a_roof = placed(boxed("box", 1., 1.), 0., 0.9375, tilt);
+            let Some(Claim::Contact(swapped)) = (NAIVE.claims)([&on_a_roof, &ground], 0.0) else { panic!() };
+            assert!(near(swapped, -1.0) || tilt == 0.0 && near(swapped, 1.0), "{tilt}: {swapped}");
+        }
         let apart = placed(boxed("box", 1., 1.), 0., 1.5, 0.);
         assert_eq!((NAIVE.claims)([&ground, &apart], 0.0), Some(Claim::Miss));
     }

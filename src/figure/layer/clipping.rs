@@ -3,8 +3,11 @@
 //!
 //! What a plane cuts off is grey and crossed out. An end above the reference edge, no contact, is hollow.
 
+mod found;
+
 use crate::drawing::Role;
 use crate::figure::context::Context;
+use crate::figure::cue::Cue;
 use crate::figure::sketch::{
     Anchor, LARGE_MARKER, Label, MARKER, Marker, Pen, Rank, SMALL_MARKER, Size, Sketch, Weight, left_of,
 };
@@ -12,6 +15,8 @@ use crate::figure::text::number;
 use crate::geometry::{DVec2, Side, perp};
 use crate::scene::NOTES;
 use crate::trace::{Event, phrase};
+
+use found::{Clipping, Point, ends_told, shown};
 
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
@@ -83,73 +88,6 @@ fn fed(context: &Context, options: &Options) -> Fed {
     }
 }
 
-/// What was clipped, in the world, at the bodies' surfaces.
-struct Clipping {
-    /// The body of the reference edge.
-    body: Side,
-    /// The reference edge, counter-clockwise.
-    reference: [DVec2; 2],
-    /// Its outward unit normal.
-    normal: DVec2,
-    /// The incident edge.
-    incident: [DVec2; 2],
-    /// Each end that was cut off, and where the edge ends instead.
-    cuts: Vec<[DVec2; 2]>,
-    /// Each end of what is left.
-    points: Vec<Point>,
-}
-
-/// An end of what is left of the incident edge.
-struct Point {
-    /// The point on the incident body.
-    at: DVec2,
-    /// The point of the reference edge's line over it.
-    over: DVec2,
-    /// Minus the depth.
-    separation: f64,
-    /// Whether it is a contact.
-    touches: bool,
-}
-
-/// What the algorithm told of the panel's moment; `None` where nothing was clipped.
-fn shown(context: &Context) -> Option<Clipping> {
-    let run = context.run();
-    let radius = |side: Side| context.body(side).map_or(0.0, |body| body.shape.radius);
-    let mut found = run.find_told(|event| match *event {
-        Event::EdgesFaced { body, from, to, normal, ends, .. } => {
-            let (out, inward) = (normal * radius(body), normal * radius(body.other()));
-            let (reference, incident) = ([from + out, to + out], ends.map(|end| end - inward));
-            Some(Clipping { body, reference, normal, incident, cuts: Vec::new(), points: Vec::new() })
-        }
-        _ => None,
-    })?;
-    let other = found.body.other();
-    let inward = found.normal * radius(other);
-    found.cuts = run
-        .told(|event| match *event {
-            Event::EdgeCut { end, at, .. } => Some([end - inward, at - inward]),
-            _ => None,
-        })
-        .collect();
-    found.points = ends_told(context)
-        .into_iter()
-        .map(|(points, separation, touches)| {
-            let [over, at] = if other == Side::B { points } else { [points[1], points[0]] };
-            Point { at, over, separation, touches }
-        })
-        .collect();
-    Some(found)
-}
-
-/// The points of A and B at each end, their separation, and whether it is a contact.
-fn ends_told(context: &Context) -> Vec<([DVec2; 2], f64, bool)> {
-    let told = |event: &Event| match *event {
-        Event::ContactFound { points, separation, touches, .. } => Some((points, separation, touches)),
-        _ => None,
-    };
-    context.run().told(told).collect()
-}
-
 /// Draws the one point of bodies of which no edge was clipped.
 fn single(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.since(context.answered());
@@ -166,14 +104,21 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         return;
     };
     let known = |is_so: fn(&Event) -> bool| context.cue(is_so);
-    sketch.since(known(|event| matches!(event, Event::EdgesFaced { .. })));
+    let faced = known(|event| matches!(event, Event::EdgesFaced { .. }));
+    sketch.since(faced);
     let [edges, planes, cut, depths] = PARTS.map(|part| options.shows("show", part, true));
     if planes {
         side_planes(sketch, &found);
     }
+    let mut stages = stages(context, &found, faced);
+    if !(cut || depths) {
+        stages.truncate(1);
+    }
+    let Some(&(last, left)) = stages.last() else { return };
     if edges {
-        let left = if cut || depths { left(&found) } else { found.incident };
         // The ends of what is left have names of their own, and the depths stand between the edges.
+        incident(sketch.since(last), &found, left);
+        sketch.since(faced);
         both_edges(sketch, &found, (left, cut || !depths), options);
         if planes && !depths {
             reference_normal(sketch, &found, options);
@@ -183,17 +128,18 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         }
     }
     if cut {
-        let faced = known(|event| matches!(event, Event::EdgesFaced { .. }));
-        sketch.since(known(|event| matches!(event, Event::EdgeCut { .. })).or(faced));
-        for [end, at] in &found.cuts {
+        for ([end, at], (cue, _)) in found.cuts.iter().zip(&stages[1..]) {
+            sketch.since(*cue);
             let pen = Pen::highlighted(Role::Muted).width(EDGE);
             sketch.part("cut-off").weight(Weight::Light).line(*at, *end, pen);
             let label = Label::new("cut", "cut off", Anchor::middle(*at, *end), Role::Muted);
             sketch.label(label.rank(Rank::Word).size(Size::Note));
             sketch.part("cut").marker(*end, Marker::Cross, Role::Muted, LARGE_MARKER);
         }
-        // What is left has two ends, cut or not.
-        for end in left(&found) {
+        // What is left has two ends, cut or not: with the last cut, or else with the points of contact.
+        let met = || known(|event| matches!(event, Event::ContactFound { .. }));
+        sketch.since(if found.cuts.is_empty() { met() } else { last });
+        for end in left {
             sketch.part("left").marker(end, of(found.body.other()), found.body.other().into(), MARKER);
         }
     }
@@ -201,6 +147,23 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         sketch.since(known(|event| matches!(event, Event::ContactFound { .. })));
         ends(sketch, context, &found, options);
     }
+    for pair in stages.windows(2).filter(|_| edges) {
+        if let [(Some(from), there), (Some(to), _)] = *pair {
+            sketch.passing([from, to], |sketch| incident(sketch, &found, there));
+        }
+    }
+}
+
+/// What there is of the incident edge when the edges are known, and after each cut, with the cue of that.
+fn stages(context: &Context, found: &Clipping, faced: Option<Cue>) -> Vec<(Option<Cue>, [DVec2; 2])> {
+    let mut stages = vec![(faced, found.incident)];
+    for &[end, at] in &found.cuts {
+        let is_it =
+            |event: &Event| matches!(event, Event::EdgeCut { end: told, .. } if told - found.inward == end);
+        let left = stages.last().map_or(found.incident, |(_, left)| *left);
+        stages.push((context.cue(is_it), left.map(|p| if p == end { at } else { p })));
+    }
+    stages
 }
 
 /// The marker of a body's points.
@@ -208,9 +171,10 @@ fn of(side: Side) -> Marker {
     if side == Side::A { Marker::Disc } else { Marker::Square }
 }
 
-/// The incident edge without what was cut off.
-fn left(found: &Clipping) -> [DVec2; 2] {
-    found.incident.map(|end| found.cuts.iter().find(|[cut, _]| *cut == end).map_or(end, |[_, at]| *at))
+/// Draws the incident edge, or what is left of it.
+fn incident(sketch: &mut Sketch, found: &Clipping, [from, to]: [DVec2; 2]) {
+    let pen = Pen::highlighted(found.body.other().into()).width(EDGE);
+    sketch.part("incident").line(from, to, pen);
 }
 
 /// Draws the lines through the reference edge’s ends, square to it: they cut off what is beyond them.
@@ -226,7 +190,8 @@ fn side_planes(sketch: &mut Sketch, found: &Clipping) {
     }
 }
 
-/// Draws both edges; of the incident edge what is `left`, named or not.
+/// Draws the reference edge, and names both where they are to be named: the incident edge beside what is
+/// `left` of it.
 fn both_edges(
     sketch: &mut Sketch,
     found: &Clipping,
@@ -235,10 +200,14 @@ fn both_edges(
 ) {
     let role = options.role(Role::Now);
     let [p, q] = found.reference;
-    sketch.part("incident").line(left[0], left[1], Pen::highlighted(found.body.other().into()).width(EDGE));
-    let beside = Anchor::middle(left[0], left[1]);
+    let (beside, of_core) = (Anchor::middle(left[0], left[1]), found.reach != DVec2::ZERO);
     // One word: beside a slanted line a longer one stands farther off.
-    let word = Label::new("incident", "incident", beside, found.body.other().into());
+    let word = Label::new(
+        "incident",
+        if of_core { "incident, of the core" } else { "incident" },
+        beside,
+        found.body.other().into(),
+    );
     if is_named {
         sketch.label(word.rank(Rank::Word).size(Size::Note));
     }
@@ -298,6 +267,7 @@ fn ends(sketch: &mut Sketch, context: &Context, found: &Clipping, options: &Opti
         sketch.since(known(point));
         let far = if point.over.distance_squared(from) > point.over.distance_squared(to) { from } else { to };
         sketch.part("right-angle").right_angle(point.over, far - point.over, point.at - point.over);
+        from_the_core(sketch, found, point);
         depth(sketch, point, key, (other, inward), options);
         let (key, number) = if key == "d_1" { ("c_1", 1) } else { ("c_2", 2) };
         let label = Label::new(key, format!("contact {number}"), Anchor::point(point.at), other.into());
@@ -306,9 +276,18 @@ fn ends(sketch: &mut Sketch, context: &Context, found: &Clipping, options: &Opti
     for point in found.points.iter().filter(|point| !point.touches) {
         sketch.since(known(point));
         let hollow = if other == Side::A { Marker::HollowDisc } else { Marker::HollowSquare };
+        from_the_core(sketch, found, point);
         sketch.part("above").marker(point.at, hollow, other.into(), LARGE_MARKER);
         let label = Label::new("no-contact", "no contact", Anchor::point(point.at), Role::Muted);
         sketch.label(label.rank(Rank::Word).size(Size::Note));
+    }
+}
+
+/// Joins a point to the end of the core's edge that it is the surface of, where that is what is drawn.
+fn from_the_core(sketch: &mut Sketch, found: &Clipping, point: &Point) {
+    if found.reach != DVec2::ZERO {
+        let end = point.at + found.reach;
+        sketch.part("reach").weight(Weight::Light).line(end, point.at, Pen::construction());
     }
 }
 

@@ -232,10 +232,10 @@ phrases! {
         "aucun sommet n’est au-delà",
         "ningún vértice está más allá";
     /// The edges that face each other: part, body, from, to, outward normal, the other part and body.
-    FACED: "Reference: * of *, * to *, outward *; * of * faces it.",
-        "Referenz: * von *, * bis *, nach außen *; * von * liegt ihr gegenüber.",
-        "Référence : * de *, * à *, vers l’extérieur * ; * de * lui fait face.",
-        "Referencia: * de *, * a *, hacia fuera *; * de * está enfrente.";
+    FACED: "Reference: * of *, * to *, outward normal n = *; incident: * of *.",
+        "Referenz: * von *, * bis *, Normale nach außen n = *; auftreffend: * von *.",
+        "Référence : * de *, * à *, normale sortante n = * ; incidente : * de *.",
+        "Referencia: * de *, * a *, normal hacia fuera n = *; incidente: * de *.";
     /// What a plane cut off: where the plane is, the end, where that is now.
     CUT: "The plane at * cuts off the end *: it ends at *.",
         "Die Ebene bei * schneidet das Ende * ab: Es endet bei *.",
