@@ -101,6 +101,9 @@ pub(super) const LAYER: Layer = Layer {
         let Some(t) = turn(context, options) else {
             return Fed::by_the_frame(false, context, "the panel's frame moves");
         };
+        if NOTES && wants_another(context, options) {
+            return Fed::Without { option: "vertex", why: "that vertex is none of the farthest" };
+        }
         if NOTES && options.counts("nearer").is_some() && nearer(context, options, &t).is_none() {
             return Fed::Without { option: "nearer", why: "that vertex is as far as p, or the origin" };
         }
@@ -120,11 +123,7 @@ fn turn(context: &Context, options: &Options) -> Option<Turn> {
         Event::MotionBounded { body, radius, theta, arc, vertices, .. }
             if wanted.contains(body) && *theta > 0.0 =>
         {
-            let index = options.number("vertex");
-            let chosen = vertices
-                .iter()
-                .find(|v| index.is_some_and(|i| u32::try_from(v.index).is_ok_and(|k| f64::from(k) == i)))
-                .or(vertices.first())?;
+            let chosen = vertices.iter().find(|v| is_wanted(v.index, options)).or(vertices.first())?;
             let begin = context.pose(*body, 0.0)?.position;
             let arm = chosen.point - begin;
             let center = context.pose(*body, context.time)?.position;
@@ -136,6 +135,23 @@ fn turn(context: &Context, options: &Options) -> Option<Turn> {
         }
         _ => None,
     })
+}
+
+/// Whether a scene wants the arc of a vertex.
+fn is_wanted(index: usize, options: &Options) -> bool {
+    options.number("vertex").is_some_and(|i| u32::try_from(index).is_ok_and(|k| f64::from(k) == i))
+}
+
+/// Whether a scene wants the arc of a vertex that is not among the farthest.
+fn wants_another(context: &Context, options: &Options) -> bool {
+    let wanted = options.of(&context.sides());
+    let farthest = context.run().find_told(|event| match event {
+        Event::MotionBounded { body, vertices, .. } if wanted.contains(body) => {
+            Some(vertices.iter().any(|v| is_wanted(v.index, options)))
+        }
+        _ => None,
+    });
+    options.number("vertex").is_some() && farthest == Some(false)
 }
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {

@@ -57,7 +57,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     if options.flag("ticks", false) && sketch.has_numbers() {
         // An axis that ran through a number would be its minus sign.
         let reach = ticks(sketch, context, options, pen);
-        lo += sketch.px(1.0) * reach;
+        lo += reach / sketch.on_page(1.0);
         sketch.set_aside([reach.x, reach.y]);
     }
     if !(options.flag("lines", true) && sketch.has_axes()) {
@@ -228,6 +228,27 @@ mod tests {
             // All ticks of an axis are one stroke, and letters are filled.
             let strokes = paths(&items, "x-numbers").into_iter().filter(|path| path.stroke.is_some());
             assert_eq!(strokes.count(), ticks, "{before}");
+        }
+    }
+
+    #[test]
+    fn an_axis_begins_beyond_the_numbers_on_a_page_of_any_size() {
+        for width in [300, 500, 960] {
+            let text = format!(
+                "shapes.A = {{ kind = 'circle', radius = 2 }}
+                query = {{ kind = 'bounds', of = ['A'] }}
+                canvas = {{ width = {width}, height = {width} }}
+                panels = [{{ layers = ['shapes', {{ layer = 'axes', ticks = true }}] }}]"
+            );
+            let scene = open_text("axes", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let items = draw(&plan, plan.theme, "axes").drawing.items;
+            let begin = |part: &str| {
+                let extents = paths(&items, part).into_iter().filter_map(|path| path.contour.bounds());
+                extents.map(|extent| extent.x0).fold(f64::INFINITY, f64::min)
+            };
+            // With the ticks, which are beyond them too.
+            assert!(begin("x-axis") > begin("y-numbers") - 1e-9, "{width}");
         }
     }
 

@@ -216,14 +216,14 @@ pub(super) struct WayOut {
 }
 
 /// The next way out of B ⊖ A that is longer than `least`, from a point inside it: a local minimum of the way
-/// to its boundary, as its end is the foot on an edge. A line of another edge may be nearer, with its foot
-/// beyond the edge.
+/// to its boundary, as its end is the foot within an edge: from one on a vertex the next edge comes nearer. A
+/// line of another edge may be nearer, with its foot beyond the edge.
 pub(super) fn longer_way(found: &Difference, from: DVec2, least: f64) -> Option<WayOut> {
     let way = |edge: &Edge| {
         let (p, q) = found.drawn(edge);
         let (length, along) = ((p - from).dot(edge.normal), q - p);
         let share = (from + edge.normal * length - p).dot(along) / along.length_squared();
-        let longer = length > least * (1.0 + SAME) && (0.0..=1.0).contains(&share);
+        let longer = length > least * (1.0 + SAME) && (SAME..1.0 - SAME).contains(&share);
         longer.then_some(WayOut { edge: *edge, length })
     };
     found.edges.iter().filter_map(way).min_by(|a, b| a.length.total_cmp(&b.length))
@@ -318,6 +318,12 @@ mod tests {
         let boxes = "shapes.A = { kind = 'box', half_extents = [2, 1] }
             shapes.B = { kind = 'box', half_extents = [1, 1], position = [0.5, 1.5] }";
         let apart = boxes.replace("1.5]", "2.5]");
+        // Straight down it is 0.35, on a vertex, and beside that less.
+        let at_a_vertex =
+            "shapes.A = { kind = 'polygon', vertices = [[-1.5, 0], [0, -0.5], [1.5, 0], [0, 0.5]] }
+            shapes.B = { kind = 'polygon', vertices = [[-0.8, -0.6], [0.9, -0.6], [0.9, 0.2], [-0.2, 1.1]],
+                position = [0.8, 0.75] }";
+        assert_eq!(told(at_a_vertex, "rival"), "");
         for (option, why) in [
             ("rival", "there is no longer way that is a local minimum"),
             ("pushed", "the nearest point is on no edge"),

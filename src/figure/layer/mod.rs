@@ -53,6 +53,7 @@ mod polytope;
 mod projection;
 mod radii;
 mod ray;
+mod reach;
 mod ruler;
 mod separating_cone;
 mod separating_lines;

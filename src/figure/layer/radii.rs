@@ -14,6 +14,7 @@ use crate::trace::{Event, phrase};
 use crate::scene::COMPASS;
 
 use super::half_extents::GUIDE;
+use super::reach::reaches;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of, part};
 
 /// The least depth that both radii are seen to share, page pixels: their bars end in ticks as wide.
@@ -37,8 +38,8 @@ pub(super) const LAYER: Layer = Layer {
             name: "as",
             takes: Takes::Word(&["line", "lengths", "reach", "dimension"]),
             default: "\"line\"",
-            about: "a line in the circle, bars of all lengths on tracks, a body's reach from its origin, \
-                    or a dimension line at the closest point",
+            about: "a line in the circle, bars of all lengths on tracks, a body's reach from its origin \
+                    (its core's, where the question is for a hit), or a dimension line at the closest point",
         },
         OptionSpec {
             name: "offset",
@@ -116,36 +117,6 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         "reach" => reaches(sketch, context, options),
         "dimension" => dimensions(sketch, context, options),
         _ => lines(sketch, context, options),
-    }
-}
-
-/// How far a body reaches beside the line of its reach at least, page pixels, for that to be named in it: as
-/// far as its letters and number.
-const SLIM: f64 = 56.0;
-
-/// Draws how far each body reaches from its origin, about which it turns: to its farthest point.
-fn reaches(sketch: &mut Sketch, context: &Context, options: &Options) {
-    for side in options.of(&context.sides()) {
-        let (Some(body), Some(pose)) = (context.body(side), context.pose(side, context.time)) else {
-            continue;
-        };
-        let far = body.shape.vertices.iter().max_by(|p, q| p.length().total_cmp(&q.length()));
-        let Some(&far) = far else { continue };
-        let out = far.try_normalize().unwrap_or(DVec2::X);
-        let (center, tip) = (pose.position, pose.point(far + out * body.shape.radius));
-        let role = options.role(side.into());
-        // Without ticks: at a vertex they would stick out of the body as a head does.
-        sketch.part(part("reach", side)).line(center, tip, Pen::dimension(role).width(1.5));
-        let key = if side == Side::A { "r1" } else { "r2" };
-        let text = format!("${} = {}$", context.named(side).below("r"), number(center.distance(tip)));
-        let (along, points) = (tip - center, context.outline(side, context.time));
-        let across = |p: DVec2| along.normalize_or_zero().perp_dot(p - center).abs();
-        let wide =
-            points.map_or(0.0, |outline| outline.sampled().into_iter().map(across).fold(0.0, f64::max));
-        // In a slim body there is no room beside the line.
-        let slim = sketch.on_page(wide) < sketch.fitted(SLIM);
-        let anchor = if slim { Anchor::tip(center, tip) } else { Anchor::middle(center, tip) };
-        sketch.label(Label::new(key, text, anchor, role));
     }
 }
 
