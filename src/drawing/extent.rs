@@ -4,6 +4,26 @@ use super::{Contour, Group, Item, Path, Point, Rect, Segment, Text};
 use crate::typeset::UNITS_PER_EM;
 
 impl Rect {
+    /// From where to where a segment lies inside it, as shares of its way (Liang, Barsky); `None` where it
+    /// does not even touch.
+    pub(crate) fn shares_inside(&self, from: Point, to: Point) -> Option<(f64, f64)> {
+        // Most segments are far off.
+        Self::new(from, to).intersection(*self)?;
+        let d = to - from;
+        let (mut lo, mut hi) = (0.0_f64, 1.0_f64);
+        for (start, step, min, max) in [(from.x, d.dx, self.x0, self.x1), (from.y, d.dy, self.y0, self.y1)] {
+            if step == 0.0 {
+                if start < min || start > max {
+                    return None;
+                }
+                continue;
+            }
+            let (a, b) = ((min - start) / step, (max - start) / step);
+            (lo, hi) = (lo.max(a.min(b)), hi.min(a.max(b)));
+        }
+        (lo <= hi).then_some((lo, hi))
+    }
+
     /// The rectangle between two opposite corners, in any order.
     ///
     /// ```

@@ -303,23 +303,9 @@ fn covered(rect: &Rect, obstacles: &[Obstacle]) -> f64 {
     obstacles.iter().map(cost).sum()
 }
 
-/// How much of a line lies within a rectangle, page pixels: from where it enters it to where it leaves it
-/// (Liang, Barsky).
+/// How much of a line lies within a rectangle, page pixels.
 fn inside(rect: &Rect, from: Point, to: Point) -> f64 {
-    let way = to - from;
-    let (mut enters, mut leaves) = (0.0_f64, 1.0_f64);
-    for (start, step, lo, hi) in [(from.x, way.dx, rect.x0, rect.x1), (from.y, way.dy, rect.y0, rect.y1)] {
-        if step == 0.0 {
-            if start < lo || start > hi {
-                return 0.0;
-            }
-            continue;
-        }
-        let (a, b) = ((lo - start) / step, (hi - start) / step);
-        enters = enters.max(a.min(b));
-        leaves = leaves.min(a.max(b));
-    }
-    (leaves - enters).max(0.0) * way.length()
+    rect.shares_inside(from, to).map_or(0.0, |(enters, leaves)| (leaves - enters) * (to - from).length())
 }
 
 /// The edges of a rectangle, each from one vertex to the next.

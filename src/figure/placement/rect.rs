@@ -9,39 +9,20 @@ pub(super) const DIRECTIONS: [(f64, f64); 8] =
 
 /// The length of a segment inside a rectangle; 0 where it only touches, `None` where it does not.
 pub(super) fn length_inside(from: Point, to: Point, rect: &Rect) -> Option<f64> {
-    clip(from, to, rect).map(|(lo, hi)| (hi - lo) * (to - from).length())
+    rect.shares_inside(from, to).map(|(lo, hi)| (hi - lo) * (to - from).length())
 }
 
 /// Whether a segment runs through a rectangle, or touches it.
 pub(super) fn touches(from: Point, to: Point, rect: &Rect) -> bool {
-    clip(from, to, rect).is_some()
+    rect.shares_inside(from, to).is_some()
 }
 
 /// The part of a segment that lies inside a rectangle; all of it where that has no length.
 pub(super) fn part_inside(from: Point, to: Point, rect: &Rect) -> (Point, Point) {
-    match clip(from, to, rect) {
+    match rect.shares_inside(from, to) {
         Some((lo, hi)) if lo < hi && hi - lo < 1.0 => (from + (to - from) * lo, from + (to - from) * hi),
         _ => (from, to),
     }
-}
-
-/// From where to where a segment lies inside a rectangle, as shares of its way.
-fn clip(from: Point, to: Point, rect: &Rect) -> Option<(f64, f64)> {
-    // Most segments are far off.
-    Rect::new(from, to).intersection(*rect)?;
-    let d = to - from;
-    let (mut lo, mut hi) = (0.0_f64, 1.0_f64);
-    for (start, step, min, max) in [(from.x, d.dx, rect.x0, rect.x1), (from.y, d.dy, rect.y0, rect.y1)] {
-        if step == 0.0 {
-            if start < min || start > max {
-                return None;
-            }
-            continue;
-        }
-        let (a, b) = ((min - start) / step, (max - start) / step);
-        (lo, hi) = (lo.max(a.min(b)), hi.min(a.max(b)));
-    }
-    (lo <= hi).then_some((lo, hi))
 }
 
 /// Distance of a point from a rectangle; 0 inside.

@@ -64,13 +64,20 @@ impl Sketch<'_> {
 
     /// What `draw` draws comes with one event and goes with another: only steps between them show it. The
     /// finished figure has none of it, so nothing of it has a label or a handle; labels keep off it, and a
-    /// panel makes room for it, only where it is drawn in steps. It is the last that its layer draws.
+    /// panel makes room for it, only where it is drawn in steps. It is the last that its layer draws, and
+    /// lies under what stays.
     pub(crate) fn passing(&mut self, [from, to]: [Cue; 2], draw: impl FnOnce(&mut Self)) {
         let kept = [self.obstacles.len(), self.requests.len(), self.unnamed.len(), self.holds.len()];
         let (extent, details) = (self.extent.take(), self.details.len());
+        let stays = self.layers.last().map_or(0, |layer| layer.items.len());
         self.since(from);
         self.cues.now.until = Some(self.cues.number(to));
         draw(self);
+        if let Some(layer) = self.layers.last_mut() {
+            let mut items = layer.items.split_off(stays);
+            items.append(&mut layer.items);
+            layer.items = items;
+        }
         if self.cues.keeps {
             self.obstacles.iter_mut().skip(kept[0]).for_each(light);
         } else {

@@ -3,7 +3,7 @@
 use crate::drawing::{Contour, Item, Offset, Path, Point, Role};
 use crate::geometry::DVec2;
 
-use super::{Cover, Outline, Pen, Sketch};
+use super::{Cover, Dash, Outline, Pen, Sketch};
 
 /// Length of an arrowhead on a vector of 1.75 px, page pixels.
 pub(crate) const HEAD_LENGTH: f64 = 9.0;
@@ -35,7 +35,21 @@ impl Sketch<'_> {
 
     /// Draws a straight line between points of the panel's space.
     pub(crate) fn line(&mut self, from: DVec2, to: DVec2, pen: Pen) -> &mut Self {
-        self.stroke(&Outline::polyline(&[from, to]), pen)
+        self.reach(&[from, to]);
+        let shown = if pen.dash == Dash::Solid { [from, to] } else { self.about_the_panel([from, to]) };
+        self.stroke(&Outline::polyline(&shown), pen)
+    }
+
+    /// What of a line is in the panel or near it: there is no end to the dashes of one that goes far out. One
+    /// that does not is whole.
+    fn about_the_panel(&self, [from, to]: [DVec2; 2]) -> [DVec2; 2] {
+        let panel = self.frame.panel;
+        let near = panel.grown(panel.width() + panel.height());
+        let (p, q) = (self.frame.page(from), self.frame.page(to));
+        match near.shares_inside(p, q) {
+            Some((lo, hi)) if hi - lo < 1.0 => [lo, hi].map(|share| from + (to - from) * share),
+            _ => [from, to],
+        }
     }
 
     /// Draws a vector of the panel's space: a shaft that ends inside a filled head. Under 14 px the head is
