@@ -46,7 +46,8 @@ impl Runs for Trace {
         console.out.write_all(text.as_bytes())?;
         if events.left_out > 0 {
             console.out.flush()?;
-            Console::message(&format!("warning: {} more events are left out\n", events.left_out));
+            let warning = format!("warning: {} more events are left out, the end too", events.left_out);
+            Console::message(&format!("{warning}\n  = help: `tracefig solve` says the answer\n"));
         }
         Ok(Status::Done)
     }

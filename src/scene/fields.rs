@@ -54,11 +54,12 @@ pub(super) static ROOT: TableRows = TableRows {
     place: "the scene",
     fields: &[
         may("title", Holds::Text, "title of the figure, for those who do not see it"),
-        may("alt", Holds::Text, "short alternative text; default: the title and the answer, in English"),
+        may("alt", Holds::Text, "short alternative text; default: the title and the answer"),
         may(
             "lang",
             Holds::Text,
-            "language of the texts, as \"de\": numbers and labels follow it; default: not said",
+            "language of the texts, as \"de\": numbers follow it, and words of ours in en, de, fr, es; \
+             default: none",
         ),
         may("headline", Holds::Text, "the claim of the figure, a sentence above the panels"),
         may("caption", Holds::Text, "caption below the figure"),

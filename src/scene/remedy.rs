@@ -70,6 +70,9 @@ impl Fault {
     pub(super) fn general(&self) -> String {
         let said = match self {
             Self::Unreadable { .. } => "look at the path, and at who may read it",
+            Self::Syntax { message } if message.ends_with("trailing characters") => {
+                "a file is one scene; `tracefig solve --jsonl < FILE` reads a scene a line, as `render` does"
+            }
             Self::Syntax { .. } => "texts stand in quotes, lists in [ ], tables in { }",
             Self::DuplicateKey { .. } => "keep one of the two",
             Self::OverLimit { what, .. } if what == "a name" => {

@@ -1,6 +1,8 @@
 //! Numbers and points in running text, in the language of a scene.
 
-use crate::figure::text::{Places, bound_and_parts, in_words, plain, rounded, rounded_down, rounded_up};
+use crate::figure::text::{
+    Places, bound_and_parts, in_words, plain, rounded, rounded_down, rounded_up_beside,
+};
 use crate::figure::tongue::tongue;
 use crate::geometry::DVec2;
 use crate::scene::Scene;
@@ -38,9 +40,9 @@ impl Speech {
         self.number(v, v)
     }
 
-    /// A double of which is said that something is no more, to three digits.
+    /// A double of which is said that something is no more, which to three digits is what a picture has.
     pub(super) fn at_most(self, v: f64) -> String {
-        self.0.decimal(plain(&in_words(&rounded_up(v))))
+        self.0.decimal(plain(&in_words(&rounded_up_beside(v))))
     }
 
     /// A bound, a number that is part of it, and the bound of the rest, so that they add up as they are

@@ -22,17 +22,18 @@ phrases! {
         "ningún punto de * se mueve más de *: * con la velocidad y como máximo * con el giro.";
     /// The bound of two.
     NO_NEARER: "no two points of * and * come nearer to each other by more than *.",
-        "keine zwei Punkte von * und * nähern sich um mehr als *.",
-        "deux points de * et * ne se rapprochent jamais de plus de *.",
-        "dos puntos de * y * nunca se acercan más de *.";
+        "ein Punkt von * und einer von * nähern sich nie um mehr als *.",
+        "un point de * et un de * ne se rapprochent jamais de plus de *.",
+        "un punto de * y uno de * nunca se acercan más de *.";
     /// The bound of two that are carried along and turn.
     NO_NEARER_BY: "no two points of * and * come nearer to each other by more than *: * with the velocities \
         and at most * with the turns.",
-        "keine zwei Punkte von * und * nähern sich um mehr als *: * mit den Geschwindigkeiten und \
+        "ein Punkt von * und einer von * nähern sich nie um mehr als *: * mit den Geschwindigkeiten und \
         höchstens * mit den Drehungen.",
-        "deux points de * et * ne se rapprochent jamais de plus de * : * avec les vitesses et au plus * \
+        "un point de * et un de * ne se rapprochent jamais de plus de * : * avec les vitesses et au plus * \
         avec les rotations.",
-        "dos puntos de * y * nunca se acercan más de *: * con las velocidades y como máximo * con los giros.";
+        "un punto de * y uno de * nunca se acercan más de *: * con las velocidades y como máximo * con los \
+         giros.";
     /// No verdict.
     UNSAID: "rounding forbids to say whether * and * overlap.",
         "durch Rundung bleibt offen, ob * und * sich überlappen.",
@@ -145,7 +146,7 @@ phrases! {
     /// A question that stays open: bodies, until when they are apart, why.
     UNRESOLVED: "* and * are apart until t = *; whether they touch is undecided: *.",
         "* und * sind bis t = * getrennt; ob sie sich berühren, ist nicht entschieden: *.",
-        "* et * sont séparés jusqu’à t = * ; qu’ils se touchent n’est pas décidé : *.",
+        "* et * sont séparés jusqu’à t = * ; on ne sait pas s’ils se touchent : *.",
         "* y * están separados hasta t = *; no se decide si se tocan: *.";
     /// Bodies that overlap at the end: bodies, until when they are apart, depth, why no time is known.
     UNRESOLVED_DEEP: "* and * are apart until t = * and overlap by * at t = 1; when they first touch is \
@@ -163,7 +164,7 @@ phrases! {
     /// Nothing at all: bodies, why.
     UNDECIDED: "whether * and * touch is undecided: *.",
         "ob * und * sich berühren, ist nicht entschieden: *.",
-        "si * et * se touchent n’est pas décidé : *.",
+        "on ne sait pas si * et * se touchent : *.",
         "no se decide si * y * se tocan: *.";
     /// Rounding.
     ROUNDING: "the rounding of their numbers leaves it open",

@@ -38,8 +38,8 @@ pub(crate) use directions::in_panel;
 pub(crate) use fill::filled;
 pub(crate) use givers::{NO_OTHER, givers};
 pub(crate) use number::{
-    bound_and_parts, in_math, in_words, least, most, number, parts, rounded, rounded_down, rounded_up, terms,
-    whole_and_parts,
+    bound_and_parts, in_math, in_words, least, most, number, parts, rounded, rounded_down, rounded_up_beside,
+    terms, whole_and_parts,
 };
 pub(crate) use overrides::{label_key, overridden};
 pub(crate) use places::Places;

@@ -35,6 +35,22 @@ pub(crate) fn rounded_up(value: f64) -> String {
     USUAL.at_least(value)
 }
 
+/// A number that is not less than the one given, and that to three digits is what that one is: of an upper
+/// bound beside a picture that has the number itself. It has as few digits as that takes, from three on.
+#[must_use]
+pub(crate) fn rounded_up_beside(value: f64) -> String {
+    let written = THREE.of(value, value);
+    let all =
+        [USUAL, Digits::Significant(TOLD + 1), Digits::Significant(TOLD + 2), Digits::Significant(MORE)];
+    for digits in all {
+        let text = digits.at_least(value);
+        if read(&text).is_some_and(|n| THREE.of(n, n) == written) {
+            return text;
+        }
+    }
+    rounded_up(value)
+}
+
 /// A number to three digits that is not more than the one given: of a lower bound.
 #[must_use]
 pub(crate) fn rounded_down(value: f64) -> String {
@@ -247,6 +263,11 @@ mod tests {
             assert_eq!((rounded_up(value).as_str(), rounded_down(value).as_str()), (up, down), "{value}");
         }
         assert_eq!(rounded_up(f64::MAX), "1.80e308");
+        for (value, up) in
+            [(3.423_031_234, "3.424"), (3.424_991_234, "3.425"), (3.419_912_345, "3.42"), (2.5, "2.5")]
+        {
+            assert_eq!(rounded_up_beside(value), up);
+        }
     }
 
     #[test]
