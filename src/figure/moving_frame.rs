@@ -29,8 +29,7 @@ pub(crate) struct MovingFrame<'b> {
 impl<'b> MovingFrame<'b> {
     /// The frame of a body at a panel's moment; `None` where the body rests and its frame is the world's.
     pub(crate) fn of(body: &'b Body, time: f64) -> Option<Self> {
-        let moves = body.velocity != DVec2::ZERO || !body.spin.is_zero();
-        moves.then_some(Self { body, time })
+        body.moves().then_some(Self { body, time })
     }
 
     /// Whether it turns, so that what goes straight in the world goes on a curve in it.

@@ -6,7 +6,6 @@
 
 use serde_json::{Value, json};
 
-use crate::geometry::{Body, DVec2};
 use crate::scene::{Panel, Scene, Space, When};
 
 use super::question::is_of_a_moment;
@@ -24,9 +23,8 @@ pub(crate) fn given(panel: &Panel, scene: &Scene) -> Option<f64> {
 
 /// The playhead as a page takes it; `None` where there is none.
 pub(super) fn playhead(scene: &Scene) -> Option<Value> {
-    let moves = |body: &Body| body.velocity != DVec2::ZERO || !body.spin.is_zero();
     let mut bodies = scene.query.of.iter().filter_map(|&i| scene.shapes.get(i));
-    if scene.live.time == Some(false) || !bodies.any(|(_, body)| moves(body)) {
+    if scene.live.time == Some(false) || !bodies.any(|(_, body)| body.moves()) {
         return None;
     }
     let follow: Vec<usize> = (0..scene.panels.len()).filter(|&i| scene.panels[i].when.is_none()).collect();

@@ -99,6 +99,12 @@ impl Body {
         }
     }
 
+    /// Whether it has a velocity or a spin.
+    #[inline]
+    pub(crate) fn moves(&self) -> bool {
+        self.velocity != DVec2::ZERO || !self.spin.is_zero()
+    }
+
     /// Whether its motion turns it: a circle about its own centre is where it was, whatever its spin.
     #[inline]
     pub(crate) fn turns(&self) -> bool {

@@ -29,14 +29,16 @@ mod sweep_steps;
 mod sweep_undecided;
 mod turning_hit;
 mod turning_miss;
+mod turning_miss_in_steps;
 mod turning_steps;
+mod turning_steps_of_both;
 mod turning_undecided;
 
 use std::borrow::Cow;
 use std::ops::Range;
 
 use crate::collision::{Answer, Outcome};
-use crate::geometry::read;
+use crate::geometry::{Body, read};
 use crate::scene::{self, LayerSpec, Panel, Scene, Space, Spanned, Value, When, panels_of_text};
 use crate::trace::Event;
 
@@ -73,7 +75,9 @@ pub static PICTURES: &[Picture] = &[
     bounded_motion::PICTURE,
     overlap_at_start::PICTURE,
     turning_steps::PICTURE,
+    turning_steps_of_both::PICTURE,
     turning_hit::PICTURE,
+    turning_miss_in_steps::PICTURE,
     turning_miss::PICTURE,
     turning_undecided::PICTURE,
     early_hit::PICTURE,
@@ -124,10 +128,19 @@ impl Case<'_> {
         }
     }
 
+    /// The bodies of the question.
+    fn bodies(&self) -> impl Iterator<Item = &Body> {
+        self.scene.query.of.iter().filter_map(|&i| self.scene.shapes.get(i)).map(|(_, body)| body)
+    }
+
     /// Whether a body of the question turns.
     fn turns(&self) -> bool {
-        let bodies = self.scene.query.of.iter().filter_map(|&i| self.scene.shapes.get(i));
-        bodies.into_iter().any(|(_, body)| !body.spin.is_zero())
+        self.bodies().any(|body| !body.spin.is_zero())
+    }
+
+    /// How many bodies of the question move.
+    fn movers(&self) -> usize {
+        self.bodies().filter(|body| body.moves()).count()
     }
 
     /// How many events of a kind the algorithm told.
@@ -205,7 +218,9 @@ fn filled<'s>(panel: &'s Panel, case: &Case, rows: &[&Picture], problems: &mut V
     }
     let configuration = |space: &Space| *space == Space::Configuration;
     let same = |other: &Panel| configuration(&other.space) == configuration(&panel.space);
-    let layers = rows.iter().find_map(|row| of_case(row, case, &panel.span).into_iter().find(same)?.layers);
+    let beside = Some(&turning_steps::DIFFERENCES).filter(|picture| (picture.fits)(case));
+    let mut rows = rows.iter().copied().chain(beside);
+    let layers = rows.find_map(|row| of_case(row, case, &panel.span).into_iter().find(same)?.layers);
     if layers.is_none() {
         let fault = scene::Fault::MissingKey {
             key: "layers".to_owned(),

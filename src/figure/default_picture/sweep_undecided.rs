@@ -7,7 +7,8 @@ use super::Picture;
 
 pub(super) const PICTURE: Picture = Picture {
     name: "sweep-undecided",
-    about: "an undecided question for the first contact of bodies that do not turn",
+    about: "an undecided question for the first contact of bodies that do not turn; its \
+            end is the time until which they are apart",
     fits: |case| matches!(case.outcome(), Some(Outcome::Unresolved { .. })),
     panels: r#"
 [[panels]]

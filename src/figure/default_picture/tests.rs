@@ -55,7 +55,9 @@ fn scenes() -> Vec<Scene> {
     }
     let both =
         pair("", PLACES[0], "velocity = [3, 0]\nangular_velocity_deg = 40") + "angular_velocity_deg = -30\n";
-    texts.insert(both + "[query]\nkind = 'motion-bound'\nof = ['crate', 'B']\n");
+    for asked in ["'motion-bound'", "'time-of-impact'\nalgorithm = 'conservative-advancement'"] {
+        texts.insert(format!("{both}[query]\nkind = {asked}\nof = ['crate', 'B']\n"));
+    }
     texts.iter().filter_map(|text| Some(open_text("s.toml", text).ok()?.scene)).collect()
 }
 

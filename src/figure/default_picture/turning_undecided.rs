@@ -6,7 +6,8 @@ use super::Picture;
 
 pub(super) const PICTURE: Picture = Picture {
     name: "turning-undecided",
-    about: "an undecided question for the first contact of bodies that turn",
+    about: "an undecided question for the first contact of bodies that turn; its \
+            end is the time until which they are apart",
     fits: |case| case.turns() && matches!(case.outcome(), Some(Outcome::Unresolved { .. })),
     panels: r#"
 [[panels]]

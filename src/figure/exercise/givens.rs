@@ -25,7 +25,7 @@ pub(super) fn givens(scene: &Scene, names: &Names) -> String {
     let in_words =
         |(side, (_, body)): (Side, &&(Spanned<String>, Body))| body_in_words(names.of(side), body, words);
     let mut text: Vec<String> = Side::BOTH.into_iter().zip(&bodies).map(in_words).collect();
-    if bodies.iter().any(|(_, body)| body.velocity != DVec2::ZERO || !body.spin.is_zero()) {
+    if bodies.iter().any(|(_, body)| body.moves()) {
         text.push(words.word(&MOTION).to_owned());
     } else if scene.query.time != 0.0 {
         text.push(words.say(&MOMENT, &[&words.number(scene.query.time)]));

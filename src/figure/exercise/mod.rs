@@ -30,10 +30,3 @@ pub(crate) use caption::{caption, spoken};
 pub use plan::{answer_in_words, asked, solution, task, task_of, to_enter, way};
 pub use search::{Found, TooFew, search};
 pub use variant::variant;
-
-use crate::trace::Phrase;
-
-/// Every phrase of an exercise, in an order that stays.
-pub(super) fn all_phrases() -> impl Iterator<Item = &'static Phrase> {
-    phrases::ALL.iter().copied().chain(askable::all().map(|row| &row.what))
-}

@@ -1,0 +1,24 @@
+//! Bodies that turn and never meet: how near they come, and their separation over time, down to which no step
+//! of the advancement goes.
+
+use crate::collision::Outcome;
+
+use super::Picture;
+
+pub(super) const PICTURE: Picture = Picture {
+    name: "turning-miss-in-steps",
+    about: "a miss of bodies that turn, by an advancement",
+    fits: |case| case.turns() && case.steps() > 0 && matches!(case.outcome(), Some(Outcome::Miss)),
+    panels: r#"
+[[panels]]
+title = "World"
+time = "start"
+inset = "small"
+layers = ["shapes", "approach", "velocity", "spin"]
+
+[[panels]]
+title = "Separation over time"
+time = "start"
+layers = [{ layer = "graph", values = true }]
+"#,
+};
