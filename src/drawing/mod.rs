@@ -75,6 +75,8 @@ pub struct Drawing {
     pub title: String,
     /// Whether the title is of the scene, in its language; else it is in words of ours, as the long text is.
     pub is_titled: bool,
+    /// What it is about, without its answer, for who sees it come about; none where the title alone says it.
+    pub heading: Option<String>,
     /// The long alternative text.
     pub desc: String,
     /// The page's colour, opaque; of opacity 0 where the page has none and what it lies on is seen.

@@ -87,6 +87,7 @@ mod tests {
             lang: None,
             title: String::new(),
             is_titled: false,
+            heading: None,
             desc: String::new(),
             background: theme.paint(Role::Background),
             ink: theme.color(Role::Ink),

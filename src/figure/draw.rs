@@ -6,6 +6,7 @@ use crate::drawing::{Color, Dark, Drawing, Item, Paint, Role};
 
 use crate::scene::{Background, Space, Variant};
 
+use super::asked;
 use super::bands::{A_FIFTH, A_QUARTER, widest};
 use super::describe::{self, Account, Shown};
 use super::drawn_panel::{DrawnPanel, Sheet, draw_panel};
@@ -24,7 +25,7 @@ use super::steps::{Scope, numbered};
 use super::text::overridden;
 use super::theme::{Side, Theme};
 use super::tongue::tongue;
-use super::words_in_steps::let_captions_come;
+use super::words_in_steps::let_words_come;
 
 /// The shares of their scale at which panels without a `view` are tried in turn, where labels stand badly: of
 /// a panel of 400 px the second leaves 40 more on each side, room for a leader line and a name.
@@ -192,7 +193,7 @@ pub(crate) fn draw_unjudged(plan: &Plan, theme: &Theme, id: &str, before: Option
         fill_opacity: side.fill_opacity,
     });
     let (steps, note) = numbered(&mut items, &scopes, (plan.scene, &plan.runs));
-    let_captions_come(&mut items, &scopes, plan, steps.len());
+    let_words_come(&mut items, &scopes, plan, steps.len());
     tint(&mut items);
     let drawing = Drawing {
         width: plan.page.width,
@@ -200,6 +201,7 @@ pub(crate) fn draw_unjudged(plan: &Plan, theme: &Theme, id: &str, before: Option
         id: id.to_owned(),
         title: short(plan, &run),
         is_titled: plan.alt.is_some(),
+        heading: asked::heading(plan, &steps),
         lang: plan.scene.lang.as_ref().map(|lang| lang.value.clone()),
         desc: description(plan, &run),
         background: page_paint(plan, theme),

@@ -53,7 +53,9 @@ pub(super) fn idle(
 
 /// A layer of a scene, and its flags that are not what holds without them.
 struct Flags<'s> {
+    /// The layer as the scene writes it.
     spec: &'s LayerSpec,
+    /// What these flags are called.
     names: Vec<&'static str>,
 }
 

@@ -5,6 +5,7 @@
 //! each layer draw what they told, and places the labels. No figure has code of its own.
 
 mod again;
+mod asked;
 mod asked_theme;
 mod askers;
 mod bands;

@@ -6,13 +6,13 @@ use std::ops::Range;
 use crate::drawing::{Group, Item, Path, Step, Text};
 use crate::geometry::sort_by;
 use crate::scene::{NOTES, Scene, StepWords};
-use crate::trace::{self, Event, Hand, Voice, step};
+use crate::trace::{Event, Hand, Voice, step};
 
 use super::cue::Cue;
 use super::fault::{Fault, Problem};
 use super::runs::{Run, Runs};
 use super::told_cue::{Told, result};
-use super::tongue;
+use super::{asked, tongue};
 
 /// Items of a page that share their cues: a panel, its title and its caption.
 pub(super) struct Scope {
@@ -55,7 +55,7 @@ pub(super) fn numbered(
     cues.dedup();
     let told: Vec<Told> =
         cues.iter().filter_map(|cue| Told::of((scene, voice), &runs, (*cue, &cues))).collect();
-    let mut steps = vec![first(voice, &runs)];
+    let mut steps = vec![first((scene, voice), &runs)];
     let mut numbers = Vec::with_capacity(told.len());
     let mut is_open = false;
     let has_bodies = scopes.iter().any(|scope| scope.shows_bodies);
@@ -155,12 +155,12 @@ pub(super) fn collect(item: &Item, used: &mut BTreeSet<usize>) {
     }
 }
 
-/// The step before the first event: what the scene says.
-fn first(voice: Voice, runs: &[std::sync::Arc<Run>]) -> Step {
+/// The step before the first event: what the scene asks.
+fn first((scene, voice): (&Scene, Voice), runs: &[std::sync::Arc<Run>]) -> Step {
     let own = runs.iter().filter(|run| run.is_own()).find_map(|run| run.events().next());
     own.map_or_else(Step::default, |event| Step {
         title: step::title(event, 0, voice),
-        sentences: vec![trace::sentence_in(event, voice)],
+        sentences: asked::sentences(scene, event, voice),
     })
 }
 

@@ -154,7 +154,11 @@ mod tests {
     fn a_step_of_an_advancement_says_what_it_follows_from_and_how_many_are_left_out() {
         let a = "kind = 'box', half_extents = [1.5, 0.08], angular_velocity_deg = 100";
         let b = "kind = 'regular-polygon', edges = 5, circumradius = 0.4, position = [0.9, 1.3]";
-        let all = steps(a, b, "kind = 'time-of-impact', algorithm = 'conservative-advancement'");
+        let query = "kind = 'time-of-impact', algorithm = 'conservative-advancement' }
+            panels = [{ time = 'start', layers = ['shapes', 'contact'] }, { space = 'configuration',
+                time = 'start', layers = ['axes', { layer = 'difference', at = 'steps' }] }]
+            canvas = {";
+        let all = steps(a, b, query);
         let said: Vec<String> = all.iter().map(|step| step.sentences.join(" ")).collect();
         let safe = |said: &&String| said.contains("nothing touches before");
         assert!(said.iter().filter(safe).count() > 2, "{said:?}");

@@ -74,8 +74,12 @@ fn lines(
     step: &Step,
     (size, width): (f64, f64),
 ) -> Result<Vec<Arc<Line>>, TypesetError> {
-    let set = |words: &str, style: Style| Ok(paragraph(&with_powers(&as_markup(words)), style)?.lines(width));
-    let title = set(&format!("{k} / {count}: {}", step.title), Style::semibold(size))?;
+    // An equation stays in one line.
+    let whole = |words: &str| words.replace(" = ", "\u{a0}=\u{a0}");
+    let set = |words: &str, style: Style| {
+        Ok(paragraph(&with_powers(&as_markup(&whole(words))), style)?.lines(width))
+    };
+    let title = set(&format!("{k} / {count} · {}", step.title), Style::semibold(size))?;
     let said = set(&step.sentences.join(" "), Style::regular(size))?;
     Ok(title.into_iter().chain(said).collect())
 }

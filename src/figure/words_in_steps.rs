@@ -1,7 +1,9 @@
-//! When captions come in a figure in steps: with what they are about, so that none tells what is to come.
+//! When titles and captions come in a figure in steps: with what they are about, so that none tells what is
+//! to come.
 //!
-//! A panel's caption comes with the panel's last mark, as it tells of all of them. The caption of the figure
-//! comes at once, or last where it writes a value.
+//! A panel's caption comes with the panel's last mark, as it tells of all of them, and so does a title that
+//! writes a value; another title of a panel without bodies comes with the first of its marks. The caption of
+//! the figure comes at once, or last where it writes a value.
 
 use std::collections::BTreeSet;
 
@@ -12,19 +14,33 @@ use super::steps::{Scope, collect};
 
 /// How a value begins in a text.
 const VALUE: &str = "{=";
+/// The title of a panel.
+const TITLE: &str = "title";
+/// Its caption.
+const CAPTION: &str = "caption";
 
-/// Lets the captions of the panels, and of the figure, which is the last item, come in a figure of `count`
-/// steps.
-pub(super) fn let_captions_come(items: &mut [Item], scopes: &[Scope], plan: &Plan, count: usize) {
-    for (scope, panel) in scopes.iter().zip(&plan.panels) {
-        if panel.source.caption.is_none() {
-            continue;
-        }
+/// Lets the titles and captions of the panels, and the caption of the figure, which is the last item, come in
+/// a figure of `count` steps.
+pub(super) fn let_words_come(items: &mut [Item], scopes: &[Scope], plan: &Plan, count: usize) {
+    for (i, scope) in scopes.iter().enumerate() {
         let own = &mut items[scope.items.clone()];
+        let is_words = |item: &Item| is(item, TITLE) || is(item, CAPTION);
         let mut marks = BTreeSet::new();
-        own.iter().filter(|item| !is_caption(item)).for_each(|item| collect(item, &mut marks));
-        if let Some(&since) = marks.last() {
-            own.iter_mut().filter(|item| is_caption(item)).for_each(|item| come(item, since));
+        own.iter().filter(|item| !is_words(item)).for_each(|item| collect(item, &mut marks));
+        let Some(&last) = marks.last() else { continue };
+        // Marks that are there from the start are what is given.
+        let first = marks.into_iter().find(|&since| since > 1);
+        // As the scene writes it, its values not filled in; ours have none, and tell nothing.
+        let title = match plan.scene.panels.get(i).and_then(|panel| panel.title.as_ref()) {
+            Some(title) if title.value.contains(VALUE) => Some(last),
+            Some(_) if !scope.shows_bodies => first,
+            _ => None,
+        };
+        let when = |item: &Item| if is(item, CAPTION) { Some(last) } else { title };
+        for item in own.iter_mut().filter(|item| is_words(item)) {
+            if let Some(since) = when(item) {
+                come(item, since);
+            }
         }
     }
     let tells = plan.scene.caption.as_ref().is_some_and(|text| text.value.contains(VALUE));
@@ -33,9 +49,9 @@ pub(super) fn let_captions_come(items: &mut [Item], scopes: &[Scope], plan: &Pla
     }
 }
 
-/// Whether an item is the caption of a panel.
-fn is_caption(item: &Item) -> bool {
-    matches!(item, Item::Group(group) if group.name == "caption")
+/// Whether an item is the words of a panel that are called so.
+fn is(item: &Item, words: &str) -> bool {
+    matches!(item, Item::Group(group) if group.name == words)
 }
 
 /// Lets all of an item come with a step.
@@ -51,30 +67,33 @@ mod tests {
 
     #[test]
     fn no_caption_tells_what_is_still_to_come() {
-        let comes = |caption: &str| {
+        let comes = |caption: &str, title: &str| {
             let text = format!(
                 "shapes.A = {{ kind = 'polygon', vertices = [[-3, 0], [3, -2], [1, 2]] }}
                 shapes.B = {{ kind = 'polygon', vertices = [[2, 5], [6, 2], [5, 5]] }}
                 query = {{ kind = 'separation', of = ['A', 'B'], algorithm = 'gjk' }}
                 caption = '{caption}'
                 panels = [{{ space = 'configuration', caption = 'two of them',
-                    layers = [{{ layer = 'simplex', step = 1 }}, {{ layer = 'simplex', step = 2 }}] }}]"
+                    title = '{title}', layers = [
+                        {{ layer = 'simplex', step = 1 }}, {{ layer = 'simplex', step = 2 }}] }}]"
             );
             let scene = open_text("s", &text).unwrap().scene;
             let plan = plan(&scene).unwrap();
             let drawing = draw_in_steps(&plan, plan.theme, "s").drawing;
-            let since = |items: &[Item]| {
+            let since = |items: &[Item], words: &str| {
                 let mut steps = BTreeSet::new();
-                items.iter().filter(|item| is_caption(item)).for_each(|item| collect(item, &mut steps));
+                items.iter().filter(|item| is(item, words)).for_each(|item| collect(item, &mut steps));
                 steps.into_iter().collect::<Vec<_>>()
             };
             let (whole, panels) = drawing.items.split_last().unwrap();
-            (since(panels), since(std::slice::from_ref(whole)), drawing.steps.len())
+            let panel = [since(panels, TITLE), since(panels, CAPTION)];
+            (panel, since(std::slice::from_ref(whole), CAPTION), drawing.steps.len())
         };
-        let (panel, whole, count) = comes("all");
-        assert_eq!((panel, whole), (vec![3], vec![1]), "with the second simplex, and at once");
+        let (panel, whole, count) = comes("all", "two");
+        assert_eq!(panel, [[2], [3]], "with the first simplex, and with the second");
+        assert_eq!(whole, [1], "at once");
         assert!(count >= 3, "{count}");
-        let (panel, whole, _) = comes("they are {=separation} apart");
-        assert_eq!((panel, whole), (vec![3], vec![count]));
+        let (panel, whole, _) = comes("they are {=separation} apart", "{=separation} apart");
+        assert_eq!((panel, whole), ([vec![3], vec![3]], vec![count]));
     }
 }

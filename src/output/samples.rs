@@ -86,6 +86,7 @@ pub(super) fn everything() -> Drawing {
         lang: None,
         title: "Circle against box".into(),
         is_titled: false,
+        heading: None,
         desc: "A box A and a circle B <apart> & \"alone\".".into(),
         background: paint(Role::Background),
         ink: paint(Role::Ink).color,

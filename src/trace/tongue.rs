@@ -32,6 +32,7 @@ macro_rules! phrases {
         )+
 
         /// Every phrase of this file.
+        #[allow(dead_code, reason = "no page says those of exercises")]
         pub(crate) const ALL: &[&$crate::trace::Phrase] = &[$(&$NAME),+];
     };
 }

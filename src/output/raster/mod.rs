@@ -55,6 +55,7 @@ pub struct Pixels {
 /// let background = Paint::role(Role::Background, Color::hex(0xFF8000));
 /// let drawing = Drawing {
 ///     width: 3.0, height: 2.0, id: "x".into(), lang: None, title: String::new(), is_titled: false,
+///     heading: None,
 ///     desc: String::new(), background, ink: Color::hex(0), words: vec![], fill_opacity: 0.14, dark: None,
 ///     metadata: String::new(), hash: String::new(), items: vec![], steps: vec![], motion: vec![],
 ///     narrow: None,

@@ -7,6 +7,7 @@ use crate::drawing::{
     Cap, Clip, Color, Contour, Drawing, Group, Halo, Item, Paint, Path, Pattern, PatternKind, Point, Rect,
     Role, Segment, Shown, Stroke, Text,
 };
+use crate::output::samples::everything;
 use crate::typeset::{Style, typeset};
 
 const BLACK: Paint = Paint::role(Role::Ink, Color::hex(0));
@@ -20,26 +21,8 @@ struct Seen {
 
 impl Seen {
     fn of(items: Vec<Item>, (width, height): (f64, f64), scale: f64) -> Self {
-        let drawing = Drawing {
-            width,
-            height,
-            id: "t".into(),
-            lang: None,
-            title: String::new(),
-            is_titled: false,
-            desc: String::new(),
-            background: WHITE,
-            ink: BLACK.color,
-            words: Vec::new(),
-            fill_opacity: 0.14,
-            dark: None,
-            metadata: String::new(),
-            hash: String::new(),
-            items,
-            steps: Vec::new(),
-            motion: Vec::new(),
-            narrow: None,
-        };
+        let ink = BLACK.color;
+        let drawing = Drawing { width, height, background: WHITE, ink, items, ..everything() };
         let pixels = rasterize(&drawing, scale).unwrap();
         let dark = pixels.rgba.chunks_exact(4).map(|pixel| 1.0 - f64::from(pixel[0]) / 255.0);
         Self { width: pixels.width as usize, coverage: dark.collect() }

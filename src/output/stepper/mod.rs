@@ -43,8 +43,8 @@ pub(super) fn write(drawing: &Drawing, _: &Options, in_steps: InSteps) -> Result
         let _ = write!(out, "<i id=\"step-{number}\"></i>");
     }
     let [of_title, of_desc] = drawing.languages_of_words();
-    page::open(&mut out, "h1", of_title);
-    escape(&mut out, &drawing.title);
+    page::open(&mut out, "h1", of_title.filter(|_| drawing.heading.is_none()));
+    escape(&mut out, drawing.heading.as_ref().unwrap_or(&drawing.title));
     out.push_str("</h1>\n<figure>\n");
     out.push_str(&searchable(drawing, Some(in_steps)));
     if let Some(narrow) = &drawing.narrow {

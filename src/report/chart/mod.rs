@@ -101,6 +101,7 @@ pub(crate) fn draw(chart: &Chart, color: &dyn Fn(Role) -> Color) -> Result<Drawi
         lang: None,
         title: chart.title.clone(),
         is_titled: false,
+        heading: None,
         desc: describe(chart),
         background: Paint::role(Role::Background, color(Role::Background)),
         ink: color(Role::Ink),

@@ -49,7 +49,7 @@ impl<'n> Voice<'n> {
     }
 
     /// A phrase with the values that stand for its stars.
-    pub(super) fn say(self, phrase: &Phrase, values: &[&str]) -> String {
+    pub(crate) fn say(self, phrase: &Phrase, values: &[&str]) -> String {
         self.tongue.say(phrase, values)
     }
 
@@ -64,13 +64,13 @@ impl<'n> Voice<'n> {
     }
 
     /// All names: "A and B".
-    pub(super) fn all(self) -> String {
+    pub(crate) fn all(self) -> String {
         let [a, b] = Side::BOTH.map(|side| self.of(side));
         if b.is_empty() { a } else { self.say(&BOTH, &[&a, &b]) }
     }
 
     /// A moment, with the angles where a body is turned.
-    pub(super) fn moment(self, at: &Moment) -> String {
+    pub(crate) fn moment(self, at: &Moment) -> String {
         let time = format!("t = {}", self.number(at.time));
         if at.angle_a == 0.0 && at.angle_b == 0.0 {
             return time;

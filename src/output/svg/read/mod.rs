@@ -97,6 +97,7 @@ fn read(document: &Document<'_>, too_much: &mut Option<TooMuch>) -> Option<Pictu
         lang: root.attribute((NS_XML_URI, "lang")).map(str::to_owned),
         title: text("title"),
         is_titled: false,
+        heading: None,
         desc: text("desc"),
         background: match page {
             Some(page) => Style::default().inside(page)?.fill?,
