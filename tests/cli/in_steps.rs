@@ -91,9 +91,9 @@ fn what_each_step_says_stands_below_it_where_asked() {
     let height = |svg: &String| svg.split_once(" height=\"").unwrap().1.split_once('"').unwrap().0.to_owned();
     let (told, bare) = (pictures(&["--words"]), pictures(&[]));
     for (k, (told, bare)) in (1..).zip(told.iter().zip(&bare)) {
-        let said = |number: usize| told.contains(&format!(">{number} / 3: "));
+        let said = |number: usize| told.contains(&format!(">{number} / 3 · "));
         assert!((1..=3).all(|number| said(number) == (number == k)), "{k}");
-        assert!(!bare.contains(" / 3: ") && height(told) != height(bare), "{k}");
+        assert!(!bare.contains(" / 3 · ") && height(told) != height(bare), "{k}");
     }
     assert!(told.iter().all(|svg| height(svg) == height(&told[0])), "nothing moves");
     let ran = render(folder.path(), &["--words"]);

@@ -15,8 +15,8 @@ use crate::typeset::{Piece, pieces};
 fn words(markup: &str, names: &[String]) -> Vec<String> {
     let words = |piece| if let Piece::Words(_, words) = piece { Some(words) } else { None };
     let outside: Vec<&str> = pieces(markup).unwrap_or_default().into_iter().filter_map(words).collect();
-    let outside = outside.join(" ");
     // A long name is broken where its lines end.
+    let outside = outside.join(" ").replace("-\n", "").replace('\n', "");
     let unbroken = outside.replace(' ', "");
     if names.contains(&unbroken) {
         return Vec::new();
