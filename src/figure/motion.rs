@@ -21,7 +21,7 @@ use super::play::Play;
 use super::played::Played;
 use super::runs::Runs;
 use super::sketch::Sketched;
-use super::text::Decimal;
+use super::text::{Across, Decimal};
 use super::theme::Theme;
 use super::view;
 
@@ -63,13 +63,19 @@ fn at<'s>(still: &Plan<'s>, played: &Played, time: f64) -> Result<(Plan<'s>, Vec
         headline: still.headline.clone(),
         alt: still.alt.clone(),
         title: still.title.clone(),
-        caption: still.caption.clone(),
+        caption: told_by(time, still, played),
         layout,
         page: still.page.clone(),
         warnings: Vec::new(),
         kept: Kept::default(),
     };
     if problems.is_empty() { Ok((plan, sketched)) } else { Err(problems) }
+}
+
+/// The caption of a figure on its way: the answer is told where the motion has come to it.
+fn told_by(time: f64, still: &Plan, played: &Played) -> Across {
+    let told = Some(&still.caption).filter(|caption| !caption.is_answer || time >= played.end());
+    told.cloned().unwrap_or_default()
 }
 
 /// A problem of the scene as a list.

@@ -85,3 +85,27 @@ fn target(scene: &Scene, run: &Run) -> f64 {
     };
     if time > 0.0 { time } else { 1.0 }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::drawing::Item;
+    use crate::figure::{draw_in_motion, plan};
+    use crate::scene::open_text;
+
+    #[test]
+    fn an_answer_is_told_where_the_motion_has_come_to_it() {
+        let text = "shapes.A = { kind = 'circle', radius = 1, velocity = [8, 0] }
+            shapes.B = { kind = 'circle', radius = 1, position = [6, 0] }
+            query = { kind = 'linear-sweep', of = ['A', 'B'] }";
+        let scene = open_text("s", text).unwrap().scene;
+        let plan = plan(&scene).unwrap().with_room_to_move().unwrap();
+        let drawing = draw_in_motion(&plan, plan.theme, "s", 3).unwrap().drawing;
+        let tells = |items: &[Item]| {
+            let is_caption = |item: &Item| matches!(item, Item::Group(group) if group.name == "caption");
+            let drawn = items.iter().filter(|item| is_caption(item)).map(Item::extent);
+            drawn.flatten().count() > 0
+        };
+        let told: Vec<bool> = drawing.pictures().iter().map(|(picture, _)| tells(&picture.items)).collect();
+        assert_eq!(told, [false, false, true, true], "twice on the way, at the hit, and as the figure");
+    }
+}
