@@ -218,8 +218,8 @@ fn is_cause(fault: &Fault, lacking: &Fault) -> bool {
     }
 }
 
-/// The code of the first problem; its message, with the JSON pointer to it, or the column in a line that is no
-/// tree of values, and how many more there are.
+/// The code of the first problem; its message, with the JSON pointer to it, or with the column in a line that
+/// is no tree of values, and how many more there are.
 fn first_error(problems: &[Problem], source: &Source) -> (&'static str, String) {
     let Some(first) = problems.first() else { return (codes::INTERNAL.code, String::new()) };
     let mut message = match source.pointer(&first.span) {

@@ -7,8 +7,8 @@ use super::Picture;
 
 pub(super) const PICTURE: Picture = Picture {
     name: "turning-miss-in-steps",
-    about: "a miss of bodies that turn, by an advancement",
-    fits: |case| case.turns() && case.steps() > 0 && matches!(case.outcome(), Some(Outcome::Miss)),
+    about: "a miss of bodies that turn, by an advancement in several steps",
+    fits: |case| case.turns() && case.steps() > 1 && matches!(case.outcome(), Some(Outcome::Miss)),
     panels: r#"
 [[panels]]
 title = "World"

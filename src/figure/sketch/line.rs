@@ -5,6 +5,8 @@ use crate::geometry::DVec2;
 
 use super::{Cover, Dash, Outline, Pen, Sketch};
 
+/// How far beside its panel a dashed line goes on, page pixels: farther than a page that is read.
+const NEAR: f64 = 2000.0;
 /// Length of an arrowhead on a vector of 1.75 px, page pixels.
 pub(crate) const HEAD_LENGTH: f64 = 9.0;
 /// Width of that arrowhead across, page pixels.
@@ -43,8 +45,7 @@ impl Sketch<'_> {
     /// What of a line is in the panel or near it: there is no end to the dashes of one that goes far out. One
     /// that does not is whole.
     fn about_the_panel(&self, [from, to]: [DVec2; 2]) -> [DVec2; 2] {
-        let panel = self.frame.panel;
-        let near = panel.grown(panel.width() + panel.height());
+        let near = self.frame.panel.grown(NEAR);
         let (p, q) = (self.frame.page(from), self.frame.page(to));
         match near.shares_inside(p, q) {
             Some((lo, hi)) if hi - lo < 1.0 => [lo, hi].map(|share| from + (to - from) * share),

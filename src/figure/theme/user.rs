@@ -24,7 +24,6 @@
 use std::collections::BTreeMap;
 use std::fmt;
 use std::ops::Range;
-use std::path::Path;
 
 use serde::Deserialize;
 use toml::de::{DeTable, DeValue};
@@ -170,8 +169,8 @@ const DARK_SIDE: &str = "#dark";
 /// ```
 #[must_use]
 pub fn is_file(name: &str) -> bool {
-    let file = dark_side_of(name).unwrap_or(name);
-    Path::new(file).extension().is_some_and(|extension| extension == "toml")
+    let stem = dark_side_of(name).unwrap_or(name).strip_suffix(".toml");
+    stem.is_some_and(|stem| !stem.is_empty() && !stem.ends_with(std::path::is_separator))
 }
 
 /// The theme file whose side for dark systems alone a name asks for; `None` where it asks for a theme as a
