@@ -38,18 +38,3 @@ fn the_edge_of_a_large_body_is_cut_near_its_end_by_that_of_a_small_one() {
         }
     }
 }
-
-/// Nothing is left of an edge between the planes of corners that touch: its two ends are one point, and told
-/// once.
-#[test]
-fn corners_that_touch_make_one_point() {
-    for (at, count) in [("2, 2", 1), ("2, -2", 1), ("2, 1.5", 2), ("2, 0", 2)] {
-        let line = format!(
-            r#"{{"shapes": {{"A": {{"kind": "aabb", "half_extents": [1, 1]}}, "B": {{"kind": "aabb", "half_extents": [1, 1], "position": [{at}]}}}}, "query": {{"kind": "contact", "of": ["A", "B"]}}}}"#
-        );
-        let found = Json::parse(&tracefig::solve_jsonl_line(&line, 1).line).expect("valid");
-        let contacts =
-            found.get("result").and_then(|found| found.get("contacts")).map(|list| list.list().len());
-        assert_eq!(contacts, Some(count), "{at}: {found}");
-    }
-}

@@ -76,8 +76,7 @@ fn tell(contact: &Contact, edges: &ClippedEdges, tracer: &mut impl Tracer) {
             tracer.record(|| Event::EdgeCut { plane: edges.reference[plane], end: end.end, at: end.kept });
         }
     }
-    let count = if edges.is_a_point() { 1 } else { edges.ends.len() };
-    edges.ends.iter().take(count).for_each(|end| tracer.record(|| found(&end.point)));
+    edges.ends.iter().for_each(|end| tracer.record(|| found(&end.point)));
 }
 
 /// An end, and whether it is a contact.

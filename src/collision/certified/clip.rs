@@ -42,14 +42,6 @@ pub(crate) struct ClippedEdges {
     pub(crate) ends: [ClippedEnd; 2],
 }
 
-impl ClippedEdges {
-    /// Whether both ends make the same points of A and of B.
-    pub(crate) fn is_a_point(&self) -> bool {
-        let [first, second] = &self.ends;
-        first.point.points == second.point.points
-    }
-}
-
 /// An end of the incident edge.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ClippedEnd {
@@ -94,9 +86,7 @@ pub(crate) fn clipped(pair: &Pair) -> Clipped {
     let Some(edges) = facing.clip(&separation) else {
         return Clipped { contact: witness, edges: None };
     };
-    let [first, second] = edges.ends.map(|end| Some(end.point).filter(|point| point.bounds.lo <= 0.0));
-    // Where corners touch nothing is left of the edge between the planes: its ends are one point.
-    let points = [first, second.filter(|_| !edges.is_a_point())];
+    let points = edges.ends.map(|end| Some(end.point).filter(|point| point.bounds.lo <= 0.0));
     let [reference, incident] = facing.features(&edges);
     let contact = Contact { reference: Some(reference), incident: Some(incident), points, ..nothing };
     Clipped { contact, edges: Some(edges) }
