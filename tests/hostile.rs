@@ -177,6 +177,14 @@ fn texts() -> Vec<(&'static str, String, Fate)> {
             None,
         ),
         (
+            "a circle whose size no page has",
+            "[shapes.A]\nkind = 'circle'\nradius = 1\nangular_velocity_deg = 1\n[shapes.B]\nkind = 'circle'\nradius = 1\n\
+                position = [1000, -1e300]\nangle_deg = -17.5\n[query]\nkind = 'motion-bound'\nof = ['A']\n\
+                [[panels]]\nspace = 'body'\nframe = 'B'\nlayers = ['shapes', 'spin']\n"
+                .to_owned(),
+            Some("off-page"),
+        ),
+        (
             "many labels",
             BOXES.to_owned() + &world(&"{layer='shapes',centers=true},".repeat(200)),
             Some("over-limit"),

@@ -23,17 +23,24 @@ pub(crate) const fn phrase(all: [&'static str; 4]) -> Phrase {
 /// What stands in a phrase for a value.
 const STAR: char = '*';
 
-/// Declares phrases, and the list of them.
+/// Declares phrases, and the list of them: for tests alone where no page says them.
 macro_rules! phrases {
-    ($($(#[doc = $about:literal])+ $NAME:ident: $en:literal, $de:literal, $fr:literal, $es:literal;)+) => {
+    (listed for tests; $($rows:tt)+) => {
+        $crate::trace::phrases! { @listed [#[cfg(test)]] $($rows)+ }
+    };
+    (@listed [$($when:tt)*]
+        $($(#[doc = $about:literal])+ $NAME:ident: $en:literal, $de:literal, $fr:literal, $es:literal;)+) => {
         $(
             $(#[doc = $about])+
             pub(crate) static $NAME: $crate::trace::Phrase = $crate::trace::phrase([$en, $de, $fr, $es]);
         )+
 
         /// Every phrase of this file.
-        #[allow(dead_code, reason = "no page says those of exercises")]
+        $($when)*
         pub(crate) const ALL: &[&$crate::trace::Phrase] = &[$(&$NAME),+];
+    };
+    ($($rows:tt)+) => {
+        $crate::trace::phrases! { @listed [] $($rows)+ }
     };
 }
 pub(crate) use phrases;

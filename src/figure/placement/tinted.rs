@@ -17,6 +17,8 @@ use super::polyline::Polyline;
 const PIECE: f64 = PI / 18.0;
 /// How far the line of a piece is off its arc at most, page pixels: an inset enlarges circles to thousands.
 const OFF: f64 = 2.0;
+/// The most pieces of an arc: within a page none is longer that is seen.
+const MOST_PIECES: f64 = 10_000.0;
 /// The most areas that a halo shows through itself: five are a panel's ground, A, B, B ⊖ A and a sector.
 const MOST_AREAS: usize = 5;
 /// The most pairs of a text and a point of an area's line that are looked at: a hundred times a figure's.
@@ -138,9 +140,10 @@ fn points(contour: &Contour) -> Option<Vec<Point>> {
 fn arc(center: Point, radius: f64, start: f64, sweep: f64) -> Vec<Point> {
     // A chord of a turn θ is r θ²/8 off.
     let piece = PIECE.min((8.0 * OFF / radius).sqrt());
+    let share = (piece / sweep.abs()).max(1.0 / MOST_PIECES);
     let mut shares = vec![0.0];
     while let Some(&last) = shares.last().filter(|&&last| last < 1.0) {
-        shares.push((last + piece / sweep.abs()).min(1.0));
+        shares.push((last + share).min(1.0));
     }
     let at = |share: f64| start + sweep * share;
     let on =
@@ -229,6 +232,14 @@ mod tests {
             Item::Group(group) => halo(&group.items, key),
             _ => None,
         })
+    }
+
+    #[test]
+    fn an_arc_of_any_radius_has_an_end() {
+        for radius in [1e9, 1e300, f64::INFINITY] {
+            let points = arc(Point::new(0.0, 0.0), radius, 0.0, 2.0 * PI).len();
+            assert!((1000..=10_002).contains(&points), "{radius}: {points}");
+        }
     }
 
     #[test]
