@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use tracefig::drawing::Drawing;
-use tracefig::drift::{fingerprint, metadata, text_chunk};
+use tracefig::drift::{hash_of_part, metadata, text_chunk};
 use tracefig::output::{Format, Options, OutputError};
 
 use super::apart::apart;
@@ -49,7 +49,7 @@ pub(crate) fn encode_all<'p>(
         let refused = |error| (planned, error);
         if let Some(pictures) = apart(&drawing, planned, in_time) {
             for one in pictures {
-                let drawing = stamped(one.drawing, &fingerprint(&hash, &one.key), facts);
+                let drawing = stamped(one.drawing, &hash_of_part(&hash, &one.key), facts);
                 let bytes = format.encode(&drawing, &options).map_err(refused)?;
                 made.push((Some(Arc::new(drawing)), (bytes, options, format, one.target)));
             }

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use clap::Args;
 use clap::builder::PossibleValuesParser;
-use tracefig::drift::{Stamp, facts, fingerprint, is_whole, restamped};
+use tracefig::drift::{Stamp, facts, fingerprint, hash_of_line, is_whole, restamped};
 use tracefig::figure::theme;
 use tracefig::figure::{Figure, no_playhead};
 use tracefig::output::{Format, INLINE, MOST_BYTES, Options, PngEffort};
@@ -22,7 +22,7 @@ use super::failure::Failure;
 use super::in_motion::{MotionOptions, planned as planned_for};
 use super::in_steps::StepOptions;
 use super::in_time::InTime;
-use super::inputs::{Found, find};
+use super::inputs::{Found, Input, find};
 use super::jobs::{Job, Planned, Planner, Target, jobs};
 use super::live::{Live, live_of};
 use super::narrow::narrow;
@@ -211,7 +211,7 @@ impl Files {
         let own = own.as_ref().map_or(word, |own| &own.key);
         let hash = |planned: &Planned| {
             let theme = job.settings.theme(planned.theme.as_deref()).map_or(own, |chosen| &chosen.key);
-            self.hash(planned, &file, theme, &self.options(job, planned))
+            self.hash((job, planned), &file, theme, &self.options(job, planned))
         };
         Some(job.files.iter().map(hash).collect())
     }
@@ -327,7 +327,7 @@ impl Files {
             let key = chosen.map_or(theme.name, |chosen| &chosen.key);
             let asked = |planned: &Planned| {
                 let options = self.options(job, planned);
-                (options, self.hash(planned, file, key, &options))
+                (options, self.hash((job, planned), file, key, &options))
             };
             let encode = |drawing: &_, planned: &Planned, options: &_| match live_of(self.live, planned) {
                 Some(live) => live.page(drawing, (job, file), &planned.target, chosen),
@@ -342,7 +342,13 @@ impl Files {
     }
 
     /// The hash of a file's scene and of all that its bytes depend on besides.
-    fn hash(&self, planned: &Planned, file: &SceneFile, theme: &str, options: &Options) -> String {
+    fn hash(
+        &self,
+        (job, planned): (&Job, &Planned),
+        file: &SceneFile,
+        theme: &str,
+        options: &Options,
+    ) -> String {
         let format = live_of(self.live, planned).map_or(planned.format, |_| &INLINE);
         let mut key = format.key(theme, options);
         if planned.variant != Variant::Figure {
@@ -353,7 +359,8 @@ impl Files {
             key.push_str(" seed=");
             key.push_str(&seed.to_string());
         }
-        fingerprint(&file.meaning, &key)
+        let own = fingerprint(&file.meaning, &key);
+        if let Input::Line { .. } = job.input { hash_of_line(&own) } else { own }
     }
 
     /// What is asked of the format of a file.

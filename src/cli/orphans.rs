@@ -123,12 +123,12 @@ fn files_of_ours(folder: &Path) -> Vec<PathBuf> {
     paths.filter(|path| is_ours(path)).collect()
 }
 
-/// Whether a file says of itself that it is a figure of ours, of one scene: the name of a document of several
-/// is anybody's choice.
+/// Whether a file says of itself that it is a figure of ours, of a scene's file: the name of a document of
+/// several is anybody's choice, and a line of a stream has no file.
 fn is_ours(path: &Path) -> bool {
     let Some(format) = path.extension().and_then(|e| format(&e.to_string_lossy())) else { return false };
     read_regular(path, MOST_BYTES).is_ok_and(|bytes| {
-        Stamp::read(format, &bytes).is_some_and(|stamp| !stamp.is_of_several()) && !is_triptych(&bytes)
+        Stamp::read(format, &bytes).is_some_and(|stamp| stamp.is_of_a_file()) && !is_triptych(&bytes)
     })
 }
 

@@ -4,6 +4,7 @@
 //! sees its figure, and a stream of any length takes the memory of a batch and some bytes for each name.
 
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::io::{self, Read};
 use std::num::NonZeroUsize;
 use std::path::PathBuf;
@@ -11,7 +12,7 @@ use std::sync::Arc;
 
 use tracefig::drift::fingerprint;
 use tracefig::scene::limits::MAX_FILE_BYTES;
-use tracefig::scene::{Ink, jsonl_name, open_jsonl_line, refused_bytes, refused_length};
+use tracefig::scene::{Ink, jsonl_name, open_jsonl_line, refused_bytes, refused_length, visible};
 
 use super::inputs::{Input, Located};
 use super::jobs::{Job, job};
@@ -25,6 +26,9 @@ const LINES_A_THREAD: usize = 8;
 /// file is called.
 const LONGEST: usize = 150;
 
+/// Digits of an id's fingerprint that keep its name apart from another's.
+const APART: usize = 8;
+
 /// Names that Windows keeps for devices, whatever follows the first dot.
 const DEVICES: [&str; 4] = ["con", "prn", "aux", "nul"];
 
@@ -32,7 +36,7 @@ const DEVICES: [&str; 4] = ["con", "prn", "aux", "nul"];
 pub(crate) enum Drawable {
     /// A text that may be a scene, and its files.
     Job(Job),
-    /// A line that is none, or whose files have another line's name: the message.
+    /// A line that is none, or whose id is another line's: the message.
     Refused(String),
 }
 
@@ -46,14 +50,22 @@ impl Drawable {
     }
 }
 
+/// Whose a name is.
+struct Named {
+    /// The number of the line.
+    line: usize,
+    /// The fingerprint of its id.
+    id: String,
+}
+
 /// Reads a stream of scenes batch by batch.
 pub(crate) struct LinesToDraw<R> {
     /// The lines that were not read yet.
     lines: Lines<R>,
     /// How messages are written.
     ink: Ink,
-    /// The names so far, as fingerprints, with the numbers of their lines.
-    names: BTreeMap<String, usize>,
+    /// The names so far, as fingerprints, with those who have them.
+    names: BTreeMap<String, Named>,
 }
 
 impl<R: Read> LinesToDraw<R> {
@@ -93,37 +105,45 @@ impl<R: Read> LinesToDraw<R> {
         Ok(batch)
     }
 
-    /// A line with the name of its files, unless an earlier one has it.
+    /// A line with the name of its files, unless an earlier one has its id.
     fn line(&mut self, number: usize, text: String, settings: &Arc<Settings>) -> Drawable {
-        let stem = jsonl_name(&text).map_or_else(String::new, |id| safe(&id));
-        let stem = if stem.is_empty() { format!("line-{number}") } else { stem };
-        // Some file systems take capitals for small letters.
-        let first = *self.names.entry(fingerprint(&stem.to_lowercase(), "name")).or_insert(number);
-        if first == number {
-            let input = Input::Line { number, text, stem };
-            return Drawable::Job(job(Located { input, below: PathBuf::new() }, settings));
+        let id = jsonl_name(&text).unwrap_or_default();
+        let plain = Some(safe(&id)).filter(|stem| !stem.is_empty());
+        let plain = plain.unwrap_or_else(|| format!("line-{number}"));
+        let mut first = number;
+        for stem in [kept_apart(&plain, &id), plain].into_iter().rev() {
+            let own = Named { line: number, id: fingerprint(&id, "id") };
+            // Some file systems take capitals for small letters.
+            match self.names.entry(fingerprint(&stem.to_lowercase(), "name")) {
+                Entry::Vacant(place) => {
+                    place.insert(own);
+                    let input = Input::Line { number, text, stem };
+                    return Drawable::Job(job(Located { input, below: PathBuf::new() }, settings));
+                }
+                Entry::Occupied(other) => {
+                    first = other.get().line;
+                    if other.get().id == own.id {
+                        break;
+                    }
+                }
+            }
         }
-        let both = "would both become";
+        // What else is wrong would come to light only once its id is its own.
         let own = open_jsonl_line(&text, number).err();
+        let own = own.map_or_else(String::new, |refused| format!("\n{}", refused.render(self.ink)));
+        let id = visible(&id);
         Drawable::Refused(format!(
-            "error: <stdin>:{number} and <stdin>:{first} {both} {stem}; the first one stays\n{}",
-            // What else is wrong would come to light only once its name is its own.
-            own.map_or_else(String::new, |refused| format!("\n{}", refused.render(self.ink)))
+            "error: <stdin>:{number} has the id of <stdin>:{first}, {id}, whose figure stays\n{own}"
         ))
     }
 }
 
-/// An id as the stem of a file's name: what is special to a shell, a path or a file system becomes `-`.
+/// An id as the stem of a file's name: what is special to a shell, a path or a file system becomes `-`; one
+/// that is too long is cut, and its fingerprint tells it from others that begin so.
 fn safe(id: &str) -> String {
     let kept = |c: char| c.is_alphanumeric() || "._-+=@,".contains(c);
-    let mut stem = String::new();
-    for c in id.trim().chars() {
-        let c = if kept(c) { c } else { '-' };
-        if stem.len() + c.len_utf8() > LONGEST {
-            break;
-        }
-        stem.push(c);
-    }
+    let whole: String = id.trim().chars().map(|c| if kept(c) { c } else { '-' }).collect();
+    let stem = if whole.len() > LONGEST { kept_apart(&whole, id) } else { whole };
     // A dot in front hides a file, one at the end is lost on Windows; a dash in front is an option.
     let stem = stem.trim_start_matches(['.', '-']).trim_end_matches('.');
     let device = stem.split('.').next().unwrap_or_default().to_lowercase();
@@ -134,6 +154,13 @@ fn safe(id: &str) -> String {
         return format!("{stem}-");
     }
     stem.to_owned()
+}
+
+/// The stem of an id that another one's name would be: the same for each run, whatever came first.
+fn kept_apart(stem: &str, id: &str) -> String {
+    let mark = fingerprint(id, "id");
+    let end = stem.floor_char_boundary(LONGEST - APART - 1);
+    format!("{}-{}", &stem[..end], &mark[mark.len() - APART..])
 }
 
 #[cfg(test)]
@@ -157,6 +184,8 @@ mod tests {
         ] {
             assert_eq!(safe(id), stem, "{id:?}");
         }
-        assert_eq!(safe(&"é".repeat(200)).len(), LONGEST);
+        let long = "é".repeat(200);
+        assert_eq!(safe(&long).len(), LONGEST - 1, "cut between two letters");
+        assert_ne!(safe(&long), safe(&format!("{long}!")), "two that begin alike");
     }
 }

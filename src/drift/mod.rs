@@ -22,7 +22,10 @@ pub use damage::{Damage, is_whole};
 pub use elements::{Element, elements_in};
 pub use measured::Measured;
 pub use pixels::{PictureDrift, PixelDrift, TOLERANCES, TRIPTYCH_FORMAT, is_triptych, triptych};
-pub use stamp::{Stamp, facts, fingerprint, metadata, restamped, text_chunk, text_chunk_of_several};
+pub use stamp::{
+    Stamp, facts, fingerprint, hash_of_line, hash_of_part, metadata, restamped, text_chunk,
+    text_chunk_of_several,
+};
 pub use text::LineDrift;
 
 use crate::output::{Format, MOST_BYTES, Picture, TooMuch, Unread, sheets_apart};

@@ -123,6 +123,33 @@ pub fn text_chunk_of_several(hashes: &[&str], options: &str) -> String {
     text_chunk(&format!("{OF_SEVERAL}{}", fingerprint(&hashes.join(" "), options)))
 }
 
+/// What the hash of a line of a stream begins with: where its figure lies no scene of its name does.
+const OF_A_LINE: &str = "line-";
+
+/// The hash of a figure of a line of a stream, which has no file that could be looked for.
+///
+/// ```
+/// use tracefig::drift::{hash_of_line, hash_of_part};
+/// assert_eq!(hash_of_line("00ff"), "line-00ff");
+/// assert!(hash_of_part("line-00ff", "step 1").starts_with("line-"));
+/// ```
+#[must_use]
+pub fn hash_of_line(hash: &str) -> String {
+    format!("{OF_A_LINE}{hash}")
+}
+
+/// The hash of a part of a figure, as one of its steps, which is of a line where the figure is.
+///
+/// ```
+/// use tracefig::drift::hash_of_part;
+/// assert_ne!(hash_of_part("00ff", "step 1"), hash_of_part("00ff", "step 2"));
+/// ```
+#[must_use]
+pub fn hash_of_part(hash: &str, part: &str) -> String {
+    let own = fingerprint(hash, part);
+    if hash.starts_with(OF_A_LINE) { hash_of_line(&own) } else { own }
+}
+
 /// The metadata of one file: the [`fingerprint`] of its scene and options, and the [`facts`] of the scene.
 ///
 /// ```
@@ -182,16 +209,18 @@ impl Stamp {
         self.hash == hash && self.version == VERSION
     }
 
-    /// Whether the file is a document of several scenes, as a handout.
+    /// Whether the file is the figure of a file's scene: not a document of several, as a handout, nor the
+    /// figure of a line of a stream.
     ///
     /// ```
     /// use tracefig::drift::Stamp;
     /// let stamp = |hash: &str| Stamp { hash: hash.to_owned(), version: "0.0.0".to_owned(), facts: None };
-    /// assert!(stamp("several-00ff").is_of_several() && !stamp("00ff").is_of_several());
+    /// assert!(stamp("00ff").is_of_a_file());
+    /// assert!(!stamp("several-00ff").is_of_a_file() && !stamp("line-00ff").is_of_a_file());
     /// ```
     #[must_use]
-    pub fn is_of_several(&self) -> bool {
-        self.hash.starts_with(OF_SEVERAL)
+    pub fn is_of_a_file(&self) -> bool {
+        !self.hash.starts_with(OF_SEVERAL) && !self.hash.starts_with(OF_A_LINE)
     }
 
     /// What a file of a format says of itself; `None` where it is none of ours, or the format has no place

@@ -4,8 +4,10 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 
+use serde_json::json;
+
 use crate::render::{drawn, names};
-use crate::{Ran, run, tracefig};
+use crate::{Ran, run, run_on, tracefig};
 
 /// A project of two scenes in a folder, one in a folder of it, drawn.
 fn project(formats: &str, themes: &str) -> tempfile::TempDir {
@@ -157,6 +159,26 @@ fn a_figure_stays_where_a_file_of_its_name_lies_in_the_place_of_its_scene() {
         assert_eq!(orphans(&check(here, &["--prune"])), ["b.png", "b.svg"], "{name}");
         assert_eq!(pictures(here).len(), all.len() - 2, "{name}");
     }
+}
+
+#[test]
+fn a_figure_of_a_line_is_no_orphan_as_it_never_had_a_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let circle = |x| json!({"kind": "circle", "radius": 1, "position": [x, 0]});
+    let query = json!({"kind": "separation", "of": ["A", "B"]});
+    let scene = json!({"id": 7, "shapes": {"A": circle(0), "B": circle(3)}, "query": query}).to_string();
+    fs::write(here.join("a.json"), &scene).unwrap();
+    for options in [&["svg,png"][..], &["png", "--steps"]] {
+        let drawn = run_on(tracefig(here).args(["render", "--jsonl", "--format"]).args(options), &scene);
+        assert_eq!(drawn.code, Some(0), "{}", drawn.err);
+    }
+    assert_eq!(run(tracefig(here).args(["render", ".", "--format", "svg"])).code, Some(0));
+    let all = names(here);
+    assert!(all.len() > 4, "{all:?}");
+    let checked = check(here, &[".", "--prune", "--format", "svg"]);
+    let found = (checked.code, checked.out.contains("orphan"), names(here));
+    assert_eq!(found, (Some(0), false, all), "{}{}", checked.out, checked.err);
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! `render --jsonl`: the lines that `solve --jsonl` answers become figures, one by one.
 
+use std::collections::BTreeSet;
 use std::io::{BufRead, BufReader, Write};
 use std::process::{Command, Stdio};
 
@@ -45,13 +46,13 @@ fn every_line_becomes_a_figure_named_by_its_id() {
 }
 
 #[test]
-fn a_bad_line_and_a_second_one_of_a_name_are_told_with_their_numbers_and_cost_only_themselves() {
+fn a_bad_line_and_a_second_one_of_an_id_are_told_with_their_numbers_and_cost_only_themselves() {
     let lines = [
         line("1", "3"),
         "{".to_owned(),
         line("\"A\"", "3").replace("0.5", "-0.5"),
         line("\"x/y\"", "3"),
-        line("\"X:y\"", "-3"),
+        line("\"x/y\"", "-3"),
         line("\"good\"", "3"),
         line("\"good\"", "3").replace("0.5", "-1"),
     ];
@@ -62,8 +63,8 @@ fn a_bad_line_and_a_second_one_of_a_name_are_told_with_their_numbers_and_cost_on
         "error[syntax]: not JSON",
         " --> <stdin>:2:",
         "error[negative-radius]: `radius`: expected 0 or more, got -0.5\n --> <stdin>:3:",
-        "error: <stdin>:5 and <stdin>:4 would both become X-y; the first one stays\n",
-        "would both become good; the first one stays\n\nerror[negative-radius]: `radius`: expected 0 or more, got -1\n",
+        "error: <stdin>:5 has the id of <stdin>:4, x/y, whose figure stays\n",
+        "has the id of <stdin>:6, good, whose figure stays\n\nerror[negative-radius]: `radius`: expected 0 or more, got -1\n",
     ] {
         assert!(ran.err.contains(told), "{told}\n{}", ran.err);
     }
@@ -71,6 +72,26 @@ fn a_bad_line_and_a_second_one_of_a_name_are_told_with_their_numbers_and_cost_on
     assert!(svg.contains("A first touches B"), "the first one is still there");
     let (ran, folder) = drawn("\u{0}\n", &[]);
     assert_eq!((ran.code, names(folder.path()).len()), (Some(1), 0));
+}
+
+#[test]
+fn each_id_has_its_own_figure_whatever_its_name_becomes() {
+    let long = "n".repeat(200);
+    let ids = ["x/y", "x:y", "X/Y", "1", "-1", &format!("{long}a"), &format!("{long}b")];
+    let lines: Vec<String> = ids.iter().map(|id| line(&format!("\"{id}\""), "3")).collect();
+    let (ran, folder) = drawn(&lines.join("\n"), &[]);
+    assert_eq!((ran.code, ran.err.as_str()), (Some(0), ""));
+    let written: Vec<&str> = ran.out.lines().collect();
+    let small: BTreeSet<String> = written.iter().map(|name| name.to_lowercase()).collect();
+    assert_eq!((written.len(), small.len()), (ids.len(), ids.len()), "{written:?}");
+    assert_eq!(names(folder.path()).len(), ids.len());
+    for (id, name) in ids.iter().zip(&written) {
+        let begin = id.trim_start_matches('-').replace(['/', ':'], "-");
+        assert!(name.starts_with(&begin[..begin.len().min(140)]), "{id}: {name}");
+    }
+    // What is written does not depend on what came before, but for who has the plain name.
+    let (alone, _) = drawn(&line(&format!("\"{long}b\""), "3"), &[]);
+    assert_eq!(alone.out.trim(), written[6]);
 }
 
 #[test]
