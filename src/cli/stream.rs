@@ -133,7 +133,7 @@ impl<R: Read> LinesToDraw<R> {
         let own = own.map_or_else(String::new, |refused| format!("\n{}", refused.render(self.ink)));
         let id = visible(&id);
         Drawable::Refused(format!(
-            "error: <stdin>:{number} has the id of <stdin>:{first}, {id}, whose figure stays\n{own}"
+            "error: <stdin>:{number} has the id of <stdin>:{first}, {id}: it is not drawn\n{own}"
         ))
     }
 }

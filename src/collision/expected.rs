@@ -5,8 +5,9 @@
 //! [`scale_of`](crate::collision::size::scale_of) the pair.
 
 use crate::collision::answer::{Part, Parts};
+use crate::collision::certified::distance::Pair;
 use crate::collision::size::scale_of;
-use crate::collision::{Answer, ClosestApproach, Outcome, Query, Separation};
+use crate::collision::{Answer, ClosestApproach, Outcome, Query, Separation, Verdict};
 use crate::geometry::{Body, DVec2, Enclosure, Feature, Pose, Side, UnitVector, perp};
 use crate::trace::Event;
 
@@ -16,6 +17,8 @@ const TIED: f64 = 32.0 * f64::EPSILON;
 /// What someone else answered, as far as it is known.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Expected {
+    /// What came out.
+    pub outcome: Option<Verdict>,
     /// Signed separation, world units; of a miss the least one.
     pub separation: Option<f64>,
     /// Time of the first contact, or of a miss's closest approach.
@@ -32,6 +35,8 @@ pub struct Expected {
 pub struct Off {
     /// S of the pair, world units.
     pub size: f64,
+    /// What came out there, and of ours.
+    pub outcome: Option<[Verdict; 2]>,
     /// How far the separation is outside the bounds of ours: negative below them, world units.
     pub separation: Option<f64>,
     /// How far the time is outside the bounds of ours: negative before them.
@@ -52,6 +57,8 @@ struct Ours {
     time: Option<Enclosure>,
     /// The pair at a moment, and that moment.
     contact: Option<(Separation, f64)>,
+    /// How far points of the bodies get while the time may be any within its bounds, world units.
+    moved: f64,
 }
 
 impl Expected {
@@ -84,10 +91,17 @@ impl Expected {
         let contact = ours.contact.as_ref();
         Some(Off {
             size,
+            outcome: self.outcome.zip(Verdict::of(answer)).map(<[Verdict; 2]>::from),
             separation: beyond(self.separation, ours.separation),
-            time: beyond(self.time, ours.time),
+            time: beyond(self.time, ours.time).map(|off| match (self.time, &ours.separation) {
+                (Some(t), Some(least)) if closest.is_some() && is_as_near([query.a, b], t, least) => 0.0,
+                _ => off,
+            }),
             normal_deg: self.normal.zip(contact).map(|(n, c)| normal_off([query.a, b], n, c, size)),
-            points: self.points.zip(contact).and_then(|(points, c)| points_off([query.a, b], points, c)),
+            points: self
+                .points
+                .zip(contact)
+                .and_then(|(points, c)| points_off([query.a, b], points, c, ours.moved)),
             expected: *self,
         })
     }
@@ -100,14 +114,25 @@ impl Ours {
             separation: Some(s.bounds),
             time,
             contact: Some((*s, moment)),
+            moved: 0.0,
         };
-        let nothing = Self { separation: None, time: None, contact: None };
+        let nothing = Self { separation: None, time: None, contact: None, moved: 0.0 };
+        let bodies = [query.a, query.b.unwrap_or(query.a)];
+        let proved = || Pair::at(bodies[0], bodies[1], query.time).separation();
         match answer {
+            // A verdict has bounds that suffice for it, and neither normal nor points; a separating axis has
+            // no upper bound.
+            Answer::Overlap(_) => of(&proved(), None, query.time),
+            Answer::Separation(s) if s.bounds.hi == f64::INFINITY => of(&proved(), None, query.time),
             Answer::Separation(s) => of(s, None, query.time),
             Answer::Contact(contact) => of(&contact.separation, None, query.time),
-            Answer::Overlap(found) => Self { separation: Some(found.separation_bounds), ..nothing },
             Answer::Impact(impact) => match &impact.outcome {
-                Outcome::Hit { time, contact } => of(contact, Some(*time), time.lo),
+                // Ours is the last moment that is proved free; at the contact nothing is between them.
+                Outcome::Hit { time, contact } => Self {
+                    separation: Some(Enclosure { lo: contact.bounds.lo.min(0.0), ..contact.bounds }),
+                    moved: contact.bounds.hi.max(0.0) + (time.hi - time.lo) * fastest(bodies),
+                    ..of(contact, Some(*time), time.lo)
+                },
                 Outcome::Overlapping { contact } => of(contact, at(0.0), 0.0),
                 Outcome::Miss => closest.map_or(nothing, |c| Self {
                     separation: Some(c.bounds),
@@ -120,6 +145,20 @@ impl Ours {
             Answer::Bounds(_) | Answer::MotionBound(_) => nothing,
         }
     }
+}
+
+/// How fast a point of either body may move, in world units a unit of time.
+fn fastest(bodies: [&Body; 2]) -> f64 {
+    let speed = |body: &Body| {
+        let reach = body.shape.vertices.iter().map(|v| v.length()).fold(0.0, f64::max) * body.shape.stretch();
+        body.velocity.length() + body.spin.radians().abs() * (reach + body.shape.radius)
+    };
+    speed(bodies[0]).max(speed(bodies[1]))
+}
+
+/// Whether bodies are as near at a moment of the motion as the least separation, as far as its bounds tell.
+fn is_as_near([a, b]: [&Body; 2], t: f64, least: &Enclosure) -> bool {
+    (0.0..=1.0).contains(&t) && Pair::at(a, b, t).separation().bounds.lo <= least.hi
 }
 
 /// How far a number is outside of bounds; 0 within them.
@@ -166,8 +205,14 @@ fn normal_off(bodies: [&Body; 2], n: UnitVector, (ours, time): &(Separation, f64
 }
 
 /// The distances of points from where ours may be: a point, or where edges lie along each other all of the
-/// part that they share. None where several directions tie, each with points of its own.
-fn points_off(bodies: [&Body; 2], points: [DVec2; 2], (ours, time): &(Separation, f64)) -> Option<[f64; 2]> {
+/// part that they share, that of B across from that of A. None where several directions tie, each with
+/// points of its own. Ours may have moved by `moved`.
+fn points_off(
+    bodies: [&Body; 2],
+    points: [DVec2; 2],
+    (ours, time): &(Separation, f64),
+    moved: f64,
+) -> Option<[f64; 2]> {
     if ours.ties != 1 {
         return None;
     }
@@ -188,14 +233,15 @@ fn points_off(bodies: [&Body; 2], points: [DVec2; 2], (ours, time): &(Separation
         (Some((p, q)), Some((r, s))) => Some((p.max(r), q.min(s))),
         _ => None,
     };
-    let off = |side: usize| {
-        let (theirs, own) = (points[side] - ours.points[side], along.dot(ours.points[side]));
-        let slid = match shared {
-            Some((from, to)) if from <= to => along.dot(theirs).max(from - own).min(to - own),
-            _ => 0.0,
-        };
-        (theirs - along * slid).length()
+    // How far along the edges the point of A is from ours, as far as they share that.
+    let slid = match shared {
+        Some((from, to)) if from <= to => {
+            let own = along.dot(ours.points[0]);
+            along.dot(points[0] - ours.points[0]).max(from - own).min(to - own)
+        }
+        _ => 0.0,
     };
+    let off = |side: usize| ((points[side] - ours.points[side] - along * slid).length() - moved).max(0.0);
     Some([off(0), off(1)])
 }
 
@@ -206,15 +252,16 @@ impl Off {
     /// use tracefig::collision::{Expected, Off};
     /// use tracefig::trace::Event;
     /// let off = Off {
-    ///     size: 4.0, separation: Some(0.25), time: None, normal_deg: None, points: None,
+    ///     size: 4.0, outcome: None, separation: Some(0.25), time: None, normal_deg: None, points: None,
     ///     expected: Expected { separation: Some(1.25), ..Expected::default() },
     /// };
     /// assert!(matches!(off.event(), Event::ExpectationCompared { separation: Some(0.25), .. }));
     /// ```
     #[must_use]
     pub fn event(&self) -> Event {
-        let Self { size, separation, time, normal_deg, points, .. } = *self;
-        Event::ExpectationCompared { size, separation, time, normal_deg, points }
+        let Self { size, outcome, separation, time, normal_deg, points, .. } = *self;
+        let outcome = outcome.map(|both| both.map(Verdict::word));
+        Event::ExpectationCompared { size, outcome, separation, time, normal_deg, points }
     }
 
     /// Its parts, as `solve` writes them: of what was expected, and null where there is nothing to hold it
@@ -223,6 +270,9 @@ impl Off {
         let unit = self.size * f64::EPSILON;
         let part = |x: Option<f64>| x.map_or(Part::Verdict(None), Part::Number);
         let mut parts = vec![("size", Part::Number(self.size))];
+        if self.expected.outcome.is_some() {
+            parts.push(("same_outcome", Part::Verdict(self.outcome.map(|[theirs, ours]| theirs == ours))));
+        }
         if self.expected.separation.is_some() {
             parts.push(("separation", part(self.separation)));
             parts.push(("separation_in_eps", part(self.separation.map(|s| s / unit))));
@@ -243,59 +293,4 @@ impl Off {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::collision::tests::bodies::{boxed, placed, polygon};
-    use crate::collision::{ALGORITHMS, QueryKind};
-
-    /// How far off an expectation is from the separation of two bodies.
-    fn off(a: &Body, b: &Body, expected: Expected) -> Off {
-        let kind = QueryKind::Separation;
-        let query = Query { kind, a, b: Some(b), time: 0.0, tolerance: 0.0, max_iterations: 1 };
-        let answer = ALGORITHMS.iter().find(|algorithm| algorithm.takes(&query)).unwrap().answer(&query);
-        expected.off(&query, &answer, None).unwrap()
-    }
-
-    fn normal(x: f64, y: f64) -> Expected {
-        Expected { normal: UnitVector::along(DVec2::new(x, y)), ..Expected::default() }
-    }
-
-    #[test]
-    fn any_points_of_what_parallel_edges_share_are_right() {
-        let (a, b) = (boxed("box", 1.0, 1.0), placed(boxed("box", 1.0, 1.0), 3.0, 0.5, 0.0));
-        let points = |y: f64, x: f64| Expected {
-            points: Some([DVec2::new(1.0, y), DVec2::new(x, y)]),
-            ..Expected::default()
-        };
-        assert_eq!(off(&a, &b, points(0.9, 2.0)).points, Some([0.0, 0.0]));
-        assert_eq!(off(&a, &b, points(-0.5, 2.125)).points, Some([0.0, 0.125]));
-        // They share −0.5 to 1.
-        assert_eq!(off(&a, &b, points(-0.75, 2.0)).points, Some([0.25, 0.25]));
-        assert_eq!(off(&a, &b, points(1.5, 2.0)).points, Some([0.5, 0.5]));
-    }
-
-    #[test]
-    fn any_of_the_normals_that_tie_is_right_and_points_are_not_held_against_one() {
-        let (a, b) = (boxed("box", 1.0, 1.0), boxed("box", 1.0, 1.0));
-        for (x, y) in [(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)] {
-            assert_eq!(off(&a, &b, normal(x, y)).normal_deg, Some(0.0));
-        }
-        assert!(off(&a, &b, normal(1.0, 1.0)).normal_deg.unwrap() > 40.0);
-        // As far from the nearest one, whichever of them is ours.
-        let nearly = off(&a, &b, normal(-1.0, 5.960_464_5e-8)).normal_deg.unwrap();
-        assert!(nearly > 0.0 && nearly < 4e-6, "{nearly}");
-        let points = Expected { points: Some([DVec2::X, DVec2::Y]), ..Expected::default() };
-        assert_eq!(off(&a, &b, points).points, None);
-    }
-
-    #[test]
-    fn a_normal_is_off_by_its_angle_and_a_separation_by_what_is_beyond_the_bounds() {
-        let (a, b) = (polygon(&[[0.0, 0.0]], 1.0), placed(polygon(&[[0.0, 0.0]], 1.0), 3.0, 4.0, 0.0));
-        let found = off(&a, &b, normal(0.8, 0.6)).normal_deg.unwrap();
-        assert!((found - 16.260_204_708_311_957).abs() < 1e-12, "{found}");
-        let separation =
-            |s: f64| off(&a, &b, Expected { separation: Some(s), ..Expected::default() }).separation.unwrap();
-        assert_eq!(separation(3.0), 0.0);
-        assert!((separation(3.5) - 0.5).abs() < 1e-15 && (separation(2.75) + 0.25).abs() < 1e-15);
-    }
-}
+mod tests;

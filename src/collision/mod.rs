@@ -54,7 +54,7 @@ pub use algorithm::Ready;
 pub use algorithm::{ALGORITHMS, Algorithm, Stops, closest_approach};
 pub use answer::{
     Answer, AnswerField, Bounds, ClosestApproach, Contact, ContactPoint, Impact, MotionBound, Outcome,
-    Overlap, Reason, Separation,
+    Overlap, Reason, Separation, Verdict,
 };
 pub use certified::distance::Pair;
 pub use certified::impact::MovingPair;

@@ -157,8 +157,8 @@ fn resolve<'s>(
     } else if scene.panels.is_empty() && scene.caption.is_none() && Language::of(scene).has_sentences() {
         let run = runs.own(scene, scene.query.time);
         let account = Account::of(scene, &runs, &run);
-        let words = account.sentence_of_bodies(&runs.called.names(scene));
-        caption = caption_of_words(&measures, words, &account.sentence_markup(&runs.called));
+        let [words, markup] = account.caption(&runs.called);
+        caption = caption_of_words(&measures, words, &markup);
     }
     let mut layout = Layout {
         measures,

@@ -3,7 +3,7 @@
 use super::checked::{Checked, check};
 use super::fields::{EXPECTED, EXPECTED_POINTS};
 use super::problem::{Fault, Problems};
-use crate::collision::{Bodies, Expected, Question};
+use crate::collision::{Bodies, Expected, Question, Verdict, When};
 use crate::geometry::UnitVector;
 
 /// Reads it; `None` where it is left out or wrong.
@@ -31,5 +31,21 @@ pub(super) fn read(query: &Checked<'_>, question: &Question, p: &mut Problems) -
         Some([points.pair("A")?, points.pair("B")?])
     });
     let number = |key| table.number(key).map(|n| n.value);
-    Some(Expected { separation: number("separation"), time: number("time"), normal, points })
+    let (separation, time) = (number("separation"), number("time"));
+    Some(Expected { outcome: outcome(&table, question, p), separation, time, normal, points })
+}
+
+/// What came out, where the question may come out so.
+fn outcome(table: &Checked<'_>, question: &Question, p: &mut Problems) -> Option<Verdict> {
+    let told = table.text("outcome")?;
+    let place = |verdict: &Verdict| verdict.suits()[usize::from(question.when == When::AtAMoment)];
+    let verdict = Verdict::ALL.into_iter().find(|verdict| verdict.word() == told.value)?;
+    if !place(&verdict) {
+        let message = format!("a `{}` never comes out as {:?}", question.word, told.value);
+        let known: Vec<String> =
+            Verdict::ALL.iter().filter(|verdict| place(verdict)).map(|v| format!("{:?}", v.word())).collect();
+        p.add(Fault::Conflict { message, help: format!("write {}", known.join(" or ")) }, &told.span);
+        return None;
+    }
+    Some(verdict)
 }

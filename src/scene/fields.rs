@@ -4,7 +4,7 @@
 //! them. The fields of the kinds of shape are in [`crate::geometry::shape::KINDS`] and become rows here by
 //! [`shape_rows`].
 
-use crate::collision::{ALGORITHMS, QUERIES};
+use crate::collision::{ALGORITHMS, QUERIES, Verdict};
 use crate::geometry::shape::{FieldType, KINDS, Kind};
 
 use super::Detail;
@@ -150,6 +150,12 @@ pub(super) static EXPECTED: TableRows = TableRows {
     header: "[query.expected]",
     place: "what is expected",
     fields: &[
+        may(
+            "outcome",
+            Holds::Word { what: "outcome", known: outcome_words },
+            "what came out: of bodies that move \"hit\", \"miss\" or \"overlapping\" (at the start), of \
+             others \"overlapping\" (touching too) or \"apart\"",
+        ),
         may("separation", ANY_NUMBER, "signed, world units; of a miss the least one"),
         may("time", ANY_NUMBER, "of the first contact, or of a miss's closest approach"),
         may("normal", Holds::Pair, "from A to B, of any length"),
@@ -346,6 +352,10 @@ fn query_words() -> Vec<String> {
 
 fn algorithm_words() -> Vec<String> {
     ALGORITHMS.iter().map(|a| a.name.to_owned()).collect()
+}
+
+fn outcome_words() -> Vec<String> {
+    Verdict::ALL.map(|verdict| verdict.word().to_owned()).to_vec()
 }
 
 fn corner_words() -> Vec<String> {

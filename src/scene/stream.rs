@@ -5,6 +5,7 @@ use std::fmt::Write;
 use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
+use serde::de::IgnoredAny;
 use serde_json::json;
 
 use super::explain::{Explain, help_in};
@@ -16,6 +17,9 @@ use super::source::Source;
 use super::visible::brief;
 use super::{Refused, Scene, SceneFile, Solution, codes, read};
 use crate::collision::Answer;
+
+/// The `id` of a line without one, as JSON.
+const NO_ID: &str = "null";
 
 /// The reply to a line of a stream.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -72,7 +76,7 @@ pub fn solve(scene: &Scene) -> Answer {
 #[must_use]
 pub fn solve_jsonl_line(text: &str, line: usize) -> Reply {
     let source = Source::json_line("<stdin>", text.trim_end_matches(['\r', '\n']), line);
-    let mut id = "null".to_owned();
+    let mut id = NO_ID.to_owned();
     let answered = held(&source).and_then(|()| source.tree()).and_then(|root: Node| {
         if let Some(text) = read::id_span(&root).and_then(|span| source.text.get(span)) {
             // Between the parts of a list or an object, either is a blank, and would end our line.
@@ -93,9 +97,21 @@ pub fn solve_jsonl_line(text: &str, line: usize) -> Reply {
         },
         Err(problems) => {
             let (code, message) = first_error(&problems, &source);
+            if id == NO_ID {
+                id = begun_id(&source.text).unwrap_or(id);
+            }
             refuse(&id, line, code, &message)
         }
     }
+}
+
+/// The `id` that a line begins with that is no JSON farther on, as where an engine writes `NaN`.
+fn begun_id(text: &str) -> Option<String> {
+    let value =
+        ["{", "\"id\"", ":"].into_iter().try_fold(text, |text, part| text.trim_start().strip_prefix(part))?;
+    let mut values = serde_json::Deserializer::from_str(value).into_iter::<IgnoredAny>();
+    values.next()?.ok()?;
+    value.get(..values.byte_offset()).map(|id| id.trim_start().replace(['\r', '\n'], " "))
 }
 
 /// The line that answers a scene.

@@ -302,6 +302,8 @@ pub enum Event {
     ExpectationCompared {
         /// S of the pair, world units.
         size: f64,
+        /// What came out there and here, in words; None where either is open.
+        outcome: Option<[&'static str; 2]>,
         /// How far the separation is outside the bounds, world units.
         separation: Option<f64>,
         /// How far the time is outside the bounds.

@@ -90,6 +90,21 @@ fn a_hit_a_miss_and_an_overlap_have_their_fields() {
 }
 
 #[test]
+fn a_line_that_is_no_json_farther_on_keeps_the_id_that_it_begins_with() {
+    for (text, id) in [
+        (r#"{"id": 17, "shapes": {"A": {"kind": "circle", "radius": NaN}}}"#, "17"),
+        (r#" { "id" :"a/b\"c", "velocity": [inf, 0]}"#, r#""a/b\"c""#),
+        (r#"{"id": [1, 2], "time": -Infinity}"#, "[1, 2]"),
+        (r#"{"id": NaN}"#, "null"),
+        (r#"{"time": NaN, "id": 3}"#, "null"),
+    ] {
+        let ran = run_on(tracefig(".".as_ref()).args(["solve", "--jsonl"]), text);
+        let begins = format!(r#"{{"id":{id},"line":1,"error":{{"code":"syntax""#);
+        assert!(ran.out.starts_with(&begins), "{text}: {}", ran.out);
+    }
+}
+
+#[test]
 fn what_someone_else_answered_is_told_by_how_far_it_is_off() {
     let asked = |query: &str, b: &str, expected: &str| {
         let scene = pair(query, b).replace(r#""of": "#, &format!(r#""expected": {expected}, "of": "#));

@@ -63,8 +63,8 @@ fn a_bad_line_and_a_second_one_of_an_id_are_told_with_their_numbers_and_cost_onl
         "error[syntax]: not JSON",
         " --> <stdin>:2:",
         "error[negative-radius]: `radius`: expected 0 or more, got -0.5\n --> <stdin>:3:",
-        "error: <stdin>:5 has the id of <stdin>:4, x/y, whose figure stays\n",
-        "has the id of <stdin>:6, good, whose figure stays\n\nerror[negative-radius]: `radius`: expected 0 or more, got -1\n",
+        "error: <stdin>:5 has the id of <stdin>:4, x/y: it is not drawn\n",
+        "has the id of <stdin>:6, good: it is not drawn\n\nerror[negative-radius]: `radius`: expected 0 or more, got -1\n",
     ] {
         assert!(ran.err.contains(told), "{told}\n{}", ran.err);
     }

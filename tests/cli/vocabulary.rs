@@ -18,7 +18,7 @@ const HARD: &str = include_str!("../data/hard.jsonl");
 /// answer, with an axis that separates.
 const QUESTIONS: [&str; 4] = [
     "kind = 'separation'\nexpected = { separation = 1, normal = [1, 0], points = { A = [1, 0], B = [2, 0] } }",
-    "kind = 'linear-sweep'\nexpected = { time = 0.5 }",
+    "kind = 'linear-sweep'\nexpected = { outcome = 'hit', time = 0.5 }",
     "kind = 'time-of-impact'\nalgorithm = 'conservative-advancement'\nmax_iterations = 1",
     "kind = 'overlap'",
 ];

@@ -65,17 +65,25 @@ const CLOSEST: AnswerField = AnswerField {
 /// How far off someone else's answer is.
 const OFF: AnswerField = AnswerField {
     inner: &[
-        AnswerField::always("size", "S of the pair, world units: the unit of what stands in S ε"),
+        AnswerField::always(
+            "size",
+            "S of the pair, world units: the largest of extents, turns, half the distance and the motion",
+        ),
+        AnswerField::of(
+            "an `expected` that has an `outcome`",
+            "same_outcome",
+            "true or false, whether ours came out so; null where that is open",
+        ),
         AnswerField::of(
             "an `expected` that has it",
             "separation",
-            "how far it is outside the bounds, world units; null where ours has none",
+            "how far it is outside the bounds, world units, negative below them; null where ours has none",
         ),
         AnswerField::of("an `expected` that has it", "separation_in_eps", "that in units of S ε"),
         AnswerField::of(
             "an `expected` that has it",
             "time",
-            "how far it is outside the bounds; null where ours has none",
+            "how far it is outside the bounds, negative before them; null where ours has none",
         ),
         AnswerField::of(
             "an `expected` that has it",
@@ -85,7 +93,7 @@ const OFF: AnswerField = AnswerField {
         AnswerField::of(
             "an `expected` that has it",
             "points",
-            "{\"A\": x, \"B\": x}, how far they are from where such may be; null as above",
+            "{\"A\": x, \"B\": x}, how far from where such may be; null also where directions tie",
         ),
         AnswerField::of("an `expected` that has it", "points_in_eps", "that in units of S ε"),
     ],

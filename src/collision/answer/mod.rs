@@ -11,6 +11,7 @@ mod contact;
 pub(crate) mod fields;
 mod part;
 mod separation;
+mod verdict;
 
 use crate::geometry::{DVec2, Enclosure};
 
@@ -18,6 +19,7 @@ pub use contact::{Contact, ContactPoint};
 pub use fields::AnswerField;
 pub(crate) use part::{Part, Parts};
 pub use separation::Separation;
+pub use verdict::Verdict;
 
 /// What a query found.
 ///

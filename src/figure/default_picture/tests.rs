@@ -212,6 +212,34 @@ fn what_someone_else_answered_stands_in_the_picture() {
 }
 
 #[test]
+fn the_caption_says_how_far_off_what_was_expected_is() {
+    let told = |of: &str, expected: &str| {
+        let text = format!(
+            "lang = '{of}'
+            shapes.A = {{ kind = 'circle', radius = 1, velocity = [4, 0] }}
+            shapes.B = {{ kind = 'box', half_extents = [1, 2], position = [4, 0] }}
+            query = {{ kind = 'linear-sweep', of = ['A', 'B'], expected = {{ {expected} }} }}"
+        );
+        let scene = open_text("s.toml", &text).unwrap().scene;
+        let words = plan(&scene).unwrap().caption.words.unwrap();
+        words[words.find(").").map_or(0, |end| end + 2)..].trim_start().to_owned()
+    };
+    assert_eq!(
+        told("en", "outcome = 'miss'"),
+        "What was expected is off: the outcome (expected: miss, found: hit)."
+    );
+    assert_eq!(
+        told("en", "outcome = 'hit', time = 0.25, normal = [0, 1]"),
+        "What was expected is off: the time by −0.25, the normal by 90°."
+    );
+    assert_eq!(
+        told("en", "time = 0.5, outcome = 'hit', normal = [2, 0]"),
+        "What was expected agrees with the answer."
+    );
+    assert_eq!(told("de", "time = 0.75"), "Das Erwartete liegt daneben: die Zeit um 0,25.");
+}
+
+#[test]
 fn the_bound_of_two_bodies_that_turn_has_the_numbers_of_both() {
     let scene = "shapes.wheel = { kind = 'circle', radius = 1, center = [0.5, 0], velocity = [2, 0.5],
                 angular_velocity_deg = 90 }

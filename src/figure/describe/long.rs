@@ -1,17 +1,17 @@
 //! The long text: a paragraph.
 
-use crate::collision::{Answer, Off, Outcome};
+use crate::collision::{Answer, Outcome};
 use crate::figure::question::is_found_on_the_difference;
 use crate::figure::runs::Run;
 use crate::figure::text::plain;
-use crate::figure::tongue::voice;
 use crate::geometry::Body;
-use crate::scene::{Panel, Scene, Solution, Space, Spanned, When};
+use crate::scene::{Panel, Scene, Space, Spanned, When};
 use crate::trace::told::is_by_component;
-use crate::trace::{Event, Hand, Phrase, sentence_in};
+use crate::trace::{Event, Phrase};
 
 use super::body::{body_in_words, kind_in_words};
 use super::number::Speech;
+use super::off::compared;
 use super::phrases::{
     AT_BOUND, AT_CLOSEST, AT_END, AT_HIT, AT_START, AT_TIME, BESIDE, CHART, CONFIGURATION, EMPTY, ENLARGED,
     FOUND, FOUND_AMONG, FOUND_AT_ONCE, FOUND_IN, FRAME, IN_STEP, PANEL, PICTURE, SHOWS, TURNED_FRAME, WORLD,
@@ -44,7 +44,9 @@ pub(crate) fn long((scene, run): (&Scene, &Run), told: &Account, panels: &[Shown
     text += &told.sentence();
     text.push(' ');
     text += &steps((scene, run), speech);
-    text += &compared(scene, run);
+    let off = compared(scene, run, &scene.names());
+    text += &off;
+    text += if off.is_empty() { "" } else { " " };
     text += &shown(scene, panels);
     text.trim_end().to_owned()
 }
@@ -57,13 +59,6 @@ fn bystanders(scene: &Scene, speech: Speech) -> String {
     };
     let all: Vec<String> = others.map(named).collect();
     if all.is_empty() { String::new() } else { speech.say(&BESIDE, &[&all.join(", ")]) }
-}
-
-/// How far off what the scene expects is; empty where it expects nothing.
-fn compared(scene: &Scene, run: &Run) -> String {
-    let off = scene.query.expected.and_then(|_| Solution::told(scene, run.answer.clone()).off);
-    let said = |off: Off| sentence_in(&off.event(), voice(scene, &scene.names(), Hand::Words)) + " ";
-    off.map_or_else(String::new, said)
 }
 
 /// How the answer was found: the algorithm, and how many steps or edges it took.
@@ -189,6 +184,6 @@ mod tests {
             shapes.b = { kind = 'circle', radius = 1, position = [3, 4] }
             query = { kind = 'separation', of = ['a', 'b'], expected = { separation = 3.25 } }",
         );
-        assert!(told.ends_with("What was expected is off, with S = 2: the separation by 0.25."), "{told}");
+        assert!(told.ends_with("What was expected is off: the separation by 0.25."), "{told}");
     }
 }

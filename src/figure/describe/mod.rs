@@ -9,6 +9,7 @@ pub(in crate::figure) mod body;
 pub(crate) mod body_phrases;
 mod long;
 mod number;
+mod off;
 mod phrases;
 mod result;
 mod short;

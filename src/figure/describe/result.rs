@@ -14,6 +14,7 @@ use crate::trace::Event;
 
 use super::body_phrases::AND;
 use super::number::Speech;
+use super::off::compared;
 use super::phrases::{
     APART, APART_ALONG, APART_BY_ROUNDING, AT_MOMENT, BOX, BY_ROUNDING, CLOSEST, CLOSEST_AGAIN,
     CLOSEST_FIRST, CLOSEST_WHILE, CONTACTS_0, CONTACTS_1, CONTACTS_2, DEEP, DEEP_BY_ROUNDING, ENDS_EARLY,
@@ -92,9 +93,16 @@ impl<'r> Account<'r> {
         Some(self.run.time).filter(|&time| is_of_a_moment(self.run.kind) && time != 0.0)
     }
 
-    /// The sentence as markup, with the bodies' names as labels have them: a letter in italics.
-    pub(crate) fn sentence_markup(&self, called: &Called) -> String {
-        named(Side::BOTH.map(|side| called.side(self.scene, side)), |names| sentence_of(names, self))
+    /// The sentence, and how far off what the scene expects is: in words, and as markup with the bodies'
+    /// names as labels have them, a letter in italics.
+    pub(crate) fn caption(&self, called: &Called) -> [String; 2] {
+        let said = |names: [&str; 2]| {
+            let off = compared(self.scene, self.run, &Names::new(names[0], Some(names[1])));
+            [sentence_of(names, self), off].join(" ").trim_end().to_owned()
+        };
+        let names = called.names(self.scene);
+        let in_words = said([names.of(Side::A), names.of(Side::B)]);
+        [in_words, named(Side::BOTH.map(|side| called.side(self.scene, side)), said)]
     }
 
     /// The result as a sentence that begins with a small letter.

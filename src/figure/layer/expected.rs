@@ -1,7 +1,7 @@
 //! What someone else answered, beside our answer: both pairs of closest points, both normals, and the bodies
 //! at the time that was expected.
 
-use crate::collision::{Answer, Expected, Outcome, Separation};
+use crate::collision::{Answer, Expected, Outcome, Separation, Verdict};
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Corner, Label, MARKER, Marker, Pen, Rank, Size, Sketch};
@@ -24,7 +24,7 @@ pub(super) const LAYER: Layer = Layer {
     labels: &[
         LabelKey { key: "A'", about: "the first body at the time expected" },
         LabelKey { key: "B'", about: "the second body at the time expected" },
-        LabelKey { key: "expected", about: "the separation and the time expected" },
+        LabelKey { key: "expected", about: "the outcome, the separation and the time expected" },
         LabelKey {
             key: "ours",
             about: "our separation, beside theirs, if no `separation` or `approach` says it",
@@ -81,7 +81,10 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
             }
         }
     }
-    let mut lines = if shown { Vec::new() } else { words(&theirs) };
+    let mut lines: Vec<String> = theirs.outcome.map(outcome).into_iter().collect();
+    if !shown {
+        lines.extend(words(&theirs));
+    }
     lines.extend(contradiction(sketch, &theirs));
     if lines.is_empty() {
         return;
@@ -125,6 +128,7 @@ fn ours(context: &Context) -> Option<Separation> {
         Answer::Impact(impact) if impact.outcome == Outcome::Miss => {
             context.separation_at(context.closest()?.time)?.separation().copied()
         }
+        Answer::Overlap(_) => context.separation_at(context.time)?.separation().copied(),
         _ => run.separation().copied(),
     }
 }
@@ -145,6 +149,11 @@ fn normal(sketch: &mut Sketch, from: DVec2, n: DVec2, (key, text, role): (&'stat
 fn words(theirs: &Expected) -> Vec<String> {
     let time = theirs.time.map(|t| format!("expected $t = {}$", number(t)));
     separation_in_words(theirs).into_iter().chain(time).collect()
+}
+
+/// What is expected to come out, as a line of a label.
+fn outcome(theirs: Verdict) -> String {
+    format!("expected: {}", theirs.word())
 }
 
 /// How far the points expected are apart, where that is not what is expected of the separation.
@@ -263,6 +272,20 @@ mod tests {
             let said = placed.filter(|(_, line)| line.markup == "their points $1.05$ apart").count();
             assert_eq!(said, usize::from(says), "{separation}");
         }
+    }
+
+    #[test]
+    fn what_was_expected_of_an_overlap_is_drawn_beside_its_depth() {
+        let text = "shapes.A = { kind = 'circle', radius = 1 }
+            shapes.B = { kind = 'circle', radius = 1, position = [1.5, 0] }
+            panels = [{ layers = ['shapes', 'expected'] }]
+            [query]\nkind = 'overlap'\nof = ['A', 'B']
+            expected = { outcome = 'apart', normal = [0, 1], separation = 0.25 }";
+        let scene = open_text("s.toml", text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let labels = labels(&draw(&plan, plan.theme, "s"));
+        assert!(["n", "n'", "ours"].iter().all(|key| labels.contains_key(key)), "{labels:?}");
+        assert!(labels["expected"].0.starts_with("expected: apart"), "{labels:?}");
     }
 
     #[test]

@@ -137,6 +137,7 @@ fn of_moving() -> Vec<Event> {
     };
     let expected = |some: Option<f64>| Event::ExpectationCompared {
         size: 2.0,
+        outcome: some.map(|_| ["miss", "hit"]),
         separation: some,
         time: some,
         normal_deg: some,

@@ -139,8 +139,8 @@ pub(crate) fn sentence_in(event: &Event, voice: Voice) -> String {
         Event::ClosestApproachFound { at, separation, bounds, normal, .. } => {
             closest_approach(voice, at, [*separation, bounds.lo], *normal)
         }
-        Event::ExpectationCompared { size, separation, time, normal_deg, points } => {
-            compared(voice, *size, [*separation, *time, *normal_deg], *points)
+        Event::ExpectationCompared { size, outcome, separation, time, normal_deg, points } => {
+            compared(voice, (*size, *outcome), [*separation, *time, *normal_deg], *points)
         }
         Event::MotionBounded { body, radius, theta, arc, linear, vertices } => {
             motion(voice, *body, vertices, [*radius, *theta, *arc, *linear])
@@ -152,10 +152,7 @@ pub(crate) fn sentence_in(event: &Event, voice: Voice) -> String {
         Event::ContactFound { points, separation, touches, .. } => {
             clip::found(voice, *points, *separation, *touches)
         }
-        Event::Finished { outcome } => {
-            let known = OUTCOMES.iter().find(|phrase| phrase[0] == *outcome);
-            voice.say(&FINISHED, &[known.map_or(outcome, |phrase| voice.tongue.word(phrase))])
-        }
+        Event::Finished { outcome } => voice.say(&FINISHED, &[voice.outcome(outcome)]),
     }
 }
 

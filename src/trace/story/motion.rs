@@ -1,9 +1,11 @@
 //! What is told of bodies that move: rays, steps, swept axes, closest approaches, bounds on the
 //! motion; and of what someone else answered.
 
+use super::hand::Hand;
 use super::phrases::moving::{
-    AT_TIME, BEGINS, BOUND, CLOSEST, ENDS, ENTERED, FACES_AWAY, INCOMPARABLE, MISSED, NORMAL_BY, OFF, ON_TO,
-    PATH, PATHS, POINT_BY, RAY, SEPARATION_BY, STEP, STOPS, SWEPT, THAN, TIME_BY, WITH_TURNING,
+    AGREES, AT_TIME, BEGINS, BOUND, CLOSEST, ENDS, ENTERED, FACES_AWAY, INCOMPARABLE, MISSED, NORMAL_BY, OFF,
+    OFF_BY, ON_TO, OUTCOME_BY, PATH, PATHS, POINT_BY, RAY, SEPARATION_BY, STEP, STOPS, SWEPT, THAN, TIME_BY,
+    WITH_TURNING,
 };
 use super::words::Voice;
 use crate::geometry::{DVec2, Feature, MOST_EPS, Side};
@@ -70,31 +72,45 @@ pub(super) fn closest_approach(
     voice.say(&CLOSEST, &[&voice.all(), &moment, &ends, &reached, &normal, &than])
 }
 
-/// How far someone else's answer is off: lengths in world units and in units of S ε.
+/// How far someone else's answer is off: lengths in world units, and on a terminal in units of S ε.
 pub(super) fn compared(
     voice: Voice,
-    size: f64,
+    (size, outcome): (f64, Option<[&str; 2]>),
     [separation, time, normal]: [Option<f64>; 3],
     points: Option<[f64; 2]>,
 ) -> String {
-    let unit = size * f64::EPSILON;
+    let (unit, is_full) = (size * f64::EPSILON, voice.hand == Hand::Terminal);
     let length = |x: f64| match voice.few(x) {
-        told if unit > 0.0 && x.abs() <= MOST_EPS * unit => format!("{told} ({} S eps)", voice.few(x / unit)),
+        told if is_full && unit > 0.0 && x.abs() <= MOST_EPS * unit => {
+            format!("{told} ({} S eps)", voice.few(x / unit))
+        }
         told => told,
     };
     let point = |side: Side, x: f64| voice.say(&POINT_BY, &[&voice.of(side), &length(x)]);
+    let known = [separation, time, normal, points.map(|[a, _]| a), points.map(|[_, b]| b)];
+    if outcome.is_none() && known == [None; 5] {
+        return voice.word(&INCOMPARABLE);
+    }
+    let [separation, time, normal, a, b] = known.map(|known| known.filter(|&x| x != 0.0));
+    let words = |both: [&str; 2]| {
+        let [theirs, ours] = both.map(|word| voice.outcome(word));
+        voice.say(&OUTCOME_BY, &[theirs, ours])
+    };
     let parts = [
+        outcome.filter(|[theirs, ours]| theirs != ours).map(words),
         separation.map(|x| voice.say(&SEPARATION_BY, &[&length(x)])),
         time.map(|x| voice.say(&TIME_BY, &[&voice.few(x)])),
         normal.map(|x| voice.say(&NORMAL_BY, &[&voice.few(x)])),
-        points.map(|[a, _]| point(Side::A, a)),
-        points.map(|[_, b]| point(Side::B, b)),
+        a.map(|x| point(Side::A, x)),
+        b.map(|x| point(Side::B, x)),
     ];
     let parts: Vec<String> = parts.into_iter().flatten().collect();
-    if parts.is_empty() {
-        return voice.word(&INCOMPARABLE);
+    let all = parts.join(voice.tongue.between());
+    match parts.is_empty() {
+        true => voice.word(&AGREES),
+        false if is_full => voice.say(&OFF, &[&voice.few(size), &all]),
+        false => voice.say(&OFF_BY, &[&all]),
     }
-    voice.say(&OFF, &[&voice.few(size), &parts.join(voice.tongue.between())])
 }
 
 pub(super) fn motion(

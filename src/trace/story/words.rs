@@ -1,6 +1,7 @@
 //! Numbers, points and moments in the words of a story.
 
 use super::hand::{Hand, number, short};
+use super::phrases::events::OUTCOMES;
 use super::phrases::{
     AT_ANGLE, AWAY, BOTH, CENTER, EDGE, INSIDE, INSIDE_LINE, LESS, NEAR_LINE, OUTSIDE_LINE, SPAN, VERTEX,
     VERTEX_AT,
@@ -51,6 +52,15 @@ impl<'n> Voice<'n> {
     /// A phrase with the values that stand for its stars.
     pub(crate) fn say(self, phrase: &Phrase, values: &[&str]) -> String {
         self.tongue.say(phrase, values)
+    }
+
+    /// What came out, which events tell in English.
+    pub(super) fn outcome<'o>(self, outcome: &'o str) -> &'o str
+    where
+        'n: 'o,
+    {
+        let known = OUTCOMES.iter().find(|phrase| phrase[0] == outcome);
+        known.map_or(outcome, |phrase| self.tongue.word(phrase))
     }
 
     /// A phrase without a star.

@@ -16,7 +16,7 @@ fn a_letter_is_in_italics_and_a_word_or_a_number_with_the_same_letters_is_not() 
         let runs = Runs::default();
         let run = runs.own(&scene, 0.0);
         let told = Account::of(&scene, &runs, &run);
-        (told.sentence(), told.sentence_markup(&runs.called))
+        (told.sentence(), told.caption(&runs.called)[1].clone())
     };
     let (words, markup) = said("A", "a");
     assert_eq!(words, "A and a are 2 apart along the normal (1, 0).");

@@ -65,15 +65,30 @@ phrases! {
         "Das Erwartete liegt daneben, mit S = *: *.",
         "Ce qui était attendu s’écarte, avec S = * : *.",
         "Lo esperado se desvía, con S = *: *.";
+    /// How far off it is, for readers of a figure: the parts.
+    OFF_BY: "What was expected is off: *.",
+        "Das Erwartete liegt daneben: *.",
+        "Ce qui était attendu s’écarte : *.",
+        "Lo esperado se desvía: *.";
+    /// Nothing of it is off.
+    AGREES: "What was expected agrees with the answer.",
+        "Das Erwartete stimmt mit der Antwort überein.",
+        "Ce qui était attendu concorde avec la réponse.",
+        "Lo esperado coincide con la respuesta.";
+    /// Its outcome, and ours.
+    OUTCOME_BY: "the outcome (expected: *, found: *)",
+        "das Ergebnis (erwartet: *, gefunden: *)",
+        "le résultat (attendu : *, trouvé : *)",
+        "el resultado (esperado: *, hallado: *)";
     /// Its separation.
     SEPARATION_BY: "the separation by *", "der Abstand um *", "la séparation de *", "la separación en *";
     /// Its time.
     TIME_BY: "the time by *", "die Zeit um *", "le temps de *", "el tiempo en *";
     /// Its normal.
-    NORMAL_BY: "the normal by * deg",
-        "die Normale um * Grad",
-        "la normale de * degrés",
-        "la normal en * grados";
+    NORMAL_BY: "the normal by *°",
+        "die Normale um *°",
+        "la normale de *°",
+        "la normal en *°";
     /// A point: on which body, by what.
     POINT_BY: "the point on * by *",
         "der Punkt auf * um *",
