@@ -217,6 +217,42 @@ async function sizes(browser, file, fail, about) {
     await page.close();
 }
 
+// A finger drags what it holds, a handle or a body, and beside that the page scrolls.
+async function finger(browser, file, fail, about) {
+    const phone = { viewport: { width: PHONE, height: 700 }, isMobile: true, hasTouch: true };
+    const page = await opened(browser, file, fail, about, phone);
+    await page.evaluate(() => { document.body.style.paddingBottom = "2000px"; });
+    await page.waitForTimeout(SAID);
+    const session = await page.context().newCDPSession(page);
+    const touch = (type, ...points) => session.send("Input.dispatchTouchEvent", { type, touchPoints: points });
+    const places = await page.evaluate(() => {
+        const { x, bottom } = document.querySelector("figure > svg").getBoundingClientRect();
+        const held = { handle: ".knob[role=slider]:not(.gone) .ring", body: "figure > svg [data-held]" };
+        const there = Object.entries(held).map(([what, css]) => [what, document.querySelector(css)]);
+        const boxes = there.filter(([, at]) => at).map(([what, at]) => [what, at.getBoundingClientRect()]);
+        const middles = boxes.map(([what, at]) => [what, at.x + at.width / 2, at.y + at.height / 2]);
+        return [...middles, ["page", x + 4, bottom - 4]];
+    });
+    for (const [what, x, y] of places) {
+        await touch("touchStart", { x, y });
+        for (let i = 1; i <= 10; i++) {
+            await touch("touchMove", { x, y: y - 6 * i });
+            await frame(page);
+        }
+        await touch("touchEnd");
+        await page.waitForTimeout(SAID);
+        const [{ changed }] = await state(page);
+        const scrolled = await page.evaluate(() => scrollY);
+        const isDragged = what !== "page";
+        if (changed !== isDragged || scrolled > 0 === isDragged) {
+            fail(about, `a finger on the ${what} scrolls by ${scrolled}, changed: ${changed}`);
+        }
+        if (changed) await page.click(".reset");
+        await page.evaluate(() => scrollTo(0, 0));
+    }
+    await page.close();
+}
+
 // Looks at the edges of some pages that share the module in `site`; at `alone` are two pages with all they need, and
 // `columns` are pages whose scenes ask for columns.
 export async function edges({ browser, site, work, fail, stems, columns, alone }) {
@@ -231,6 +267,7 @@ export async function edges({ browser, site, work, fail, stems, columns, alone }
     for (const stem of stems) {
         await voice(browser, shared(stem), fail, `${stem}, heard`);
         await away(browser, shared(stem), fail, `${stem}, far away`);
+        await finger(browser, shared(stem), fail, `${stem}, by a finger`);
     }
     await sizes(browser, shared("small-and-turned"), fail, "sizes of a small body");
     for (const stem of columns) await narrow(browser, shared(stem), fail, `${stem}, narrow`);

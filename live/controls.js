@@ -19,6 +19,18 @@ const sign = (shape) => make("span", { "aria-hidden": "true" }, shape);
 const NEARLY = 0.999; // Of two axes at the same angle to a key the left and right keys have the first one.
 const WAYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 
+// The nearest handle of a figure, or that of the body under a pointer.
+function under(figure, { clientX, clientY }) {
+    const { left, top } = figure.overlay.getBoundingClientRect();
+    const [x, y] = [clientX - left, clientY - top];
+    const away = ({ handle: { at } }) => Math.hypot(at[0] * figure.scale - x, at[1] * figure.scale - y);
+    const near = [...figure.knobs.values()].filter((knob) => !knob.isGone && away(knob) <= REACH);
+    const [nearest] = near.sort((a, b) => away(a) - away(b));
+    // Words that can be marked may lie over a body.
+    const all = document.elementsFromPoint(clientX, clientY);
+    return nearest ?? figure.bodies?.get(all.map((element) => element.closest("[data-held]")).find(Boolean));
+}
+
 class Knob {
     constructor(figure, handle) {
         Object.assign(this, { figure, handle, worn: new Map() });

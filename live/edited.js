@@ -78,7 +78,7 @@ class Edited {
         const written = toml(edited(this.scene, this.edits.values()));
         try {
             await navigator.clipboard.writeText(written);
-            this.tell(this.word("copied"), this.scene.lang ?? "en");
+            this.tell(`${this.word("copied")} ${this.words()}`, this.language);
         } catch {
             const named = { class: "text", readonly: "", rows: 12, "aria-label": this.word("text") };
             this.text ??= make("textarea", named);

@@ -80,6 +80,10 @@ class Figure extends Edited {
         this.around = [this.overlay, this.why, this.bar, this.say, details];
         this.fill();
         this.stage.addEventListener("pointerdown", (event) => this.grab(event));
+        // A finger that holds something drags it; beside it the page scrolls. What is within an SVG can't say so
+        // by its style.
+        const keep = (event) => event.touches.length === 1 && under(this, event.touches[0]) && event.preventDefault();
+        this.stage.addEventListener("touchstart", keep, { passive: false });
         this.shown();
         new ResizeObserver(() => this.fit()).observe(this.root);
         if (this.alone) addEventListener("hashchange", () => this.anew());
@@ -96,8 +100,8 @@ class Figure extends Edited {
         if ((this.info.steps?.length ?? 0) > 1 && live.steps !== false) {
             const go = (to) => () => this.toStep(to());
             const last = () => this.info.steps.length;
-            const now = () => Math.min(this.step, last() + 1);
-            const [back, on] = [() => Math.max(now() - 1, 1), () => (now() >= last() ? WHOLE : now() + 1)];
+            const now = () => Math.min(this.step, last());
+            const [back, on] = [() => Math.max(now() - 1, 1), () => (now() >= last() - 1 ? WHOLE : now() + 1)];
             this.count = make("span", { class: "count" });
             this.before = button(sign("◀"), go(back), { "aria-label": this.word("before") });
             this.after = button(sign("▶"), go(on), { "aria-label": this.word("after") });
@@ -107,6 +111,12 @@ class Figure extends Edited {
         const hint = make("p", { class: "hint" }, this.word("drag", things.join(", ")));
         if (things.length > 0) this.bar.before(hint);
         this.around.push(hint);
+        const parts = [this.scene, ...(this.scene.panels ?? [])];
+        if (parts.some(({ headline, caption }) => headline ?? caption)) {
+            const written = make("p", { class: "hint written" }, this.word("written"));
+            this.bar.before(written);
+            this.around.push(written);
+        }
         const reset = button(this.word("reset"), () => this.reset(), { class: "reset" });
         const copy = button(this.word("copy"), () => this.copy());
         this.bar.append(make("span", { class: "acts" }, reset, copy));
@@ -244,8 +254,9 @@ class Figure extends Edited {
         if (this.engine && (!stays || held !== this.heldBy)) this.hold();
         this.heldBy = held;
         if (this.count) {
-            const [now, last] = [this.step, this.info.steps.length];
-            this.count.textContent = now >= last ? this.word("steps", last) : this.word("step", now, last);
+            const last = this.info.steps.length;
+            const now = Math.min(this.step, last);
+            this.count.textContent = this.word("step", now, last);
             this.before.setAttribute("aria-disabled", now <= 1);
             this.after.setAttribute("aria-disabled", now >= last);
         }
@@ -315,18 +326,9 @@ class Figure extends Edited {
         return this.knobs.get(key);
     }
 
-    // Takes hold of the nearest handle, or of the body under the pointer.
+    // Takes hold of what is under the pointer.
     grab(event) {
-        if (event.button !== 0) return;
-        const { left, top } = this.overlay.getBoundingClientRect();
-        const [x, y] = [event.clientX - left, event.clientY - top];
-        const away = ({ handle: { at } }) => Math.hypot(at[0] * this.scale - x, at[1] * this.scale - y);
-        const near = [...this.knobs.values()].filter((knob) => !knob.isGone && away(knob) <= REACH);
-        const [nearest] = near.sort((a, b) => away(a) - away(b));
-        // Words that can be marked may lie over a body.
-        const under = document.elementsFromPoint(event.clientX, event.clientY);
-        const held = under.map((element) => element.closest("[data-held]")).find(Boolean);
-        const knob = nearest ?? this.bodies?.get(held);
+        const knob = event.button === 0 && under(this, event);
         if (!knob) return;
         event.preventDefault();
         knob.grab(event);
