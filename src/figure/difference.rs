@@ -135,10 +135,14 @@ impl Difference {
     }
 
     /// How many ways out are as short as the shortest, as far as doubles tell: directions of the edges that
-    /// are nearest the origin, which is inside. 0 where the core is a point: out of it all ways are as long.
+    /// are nearest the origin where that is in the core, and from the core's nearest point else, of which a
+    /// convex one has one. 0 where the core is a point: out of it all ways are as long.
     pub(crate) fn ways_out(&self) -> usize {
         let nearest = self.edges.iter().map(|e| e.distance).fold(f64::NEG_INFINITY, f64::max);
         let near = JOINED * self.size();
+        if nearest > near {
+            return 1;
+        }
         let mut ways: Vec<DVec2> = Vec::new();
         for edge in self.edges.iter().filter(|e| nearest - e.distance <= near) {
             if !ways.iter().any(|n| n.distance(edge.normal) <= JOINED) {

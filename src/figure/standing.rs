@@ -27,3 +27,13 @@ pub(crate) fn standing(answer: &Answer) -> &'static str {
         Answer::MotionBound(_) => "the answer is a length",
     }
 }
+
+/// Why an answer lacks a value that others of its kind have, in a clause.
+pub(crate) fn lacking(answer: &Answer) -> &'static str {
+    let points = if let Answer::Contact(contact) = answer { Some(contact.found().count()) } else { None };
+    match points {
+        Some(0) => "there is no point of contact",
+        Some(1) => "there is one point of contact",
+        _ => standing(answer),
+    }
+}

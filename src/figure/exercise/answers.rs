@@ -1,10 +1,9 @@
 //! What an exercise asks, the numbers that answer it, and the way to them.
 
-use crate::collision::Answer;
 use crate::figure::context::Context;
 use crate::figure::play::Play;
 use crate::figure::runs::Runs;
-use crate::figure::standing::standing;
+use crate::figure::standing::lacking as of_this_answer;
 use crate::figure::text::{Digits, NO_OTHER, filled, givers, in_math, rounded, value_of, with_powers};
 use crate::figure::tongue::voice;
 use crate::geometry::{Side, read};
@@ -232,13 +231,7 @@ pub(super) fn there(scene: &Scene, runs: &Runs) -> String {
 pub(super) fn lacking(scene: &Scene, runs: &Runs, name: &str) -> String {
     let others = givers(name, &of_the_query(scene, runs)).filter(|others| others != NO_OTHER);
     let answer = &runs.own(scene, scene.query.time).answer;
-    let points = if let Answer::Contact(contact) = answer { Some(contact.found().count()) } else { None };
-    let own = match points {
-        Some(0) => "there is no point of contact",
-        Some(1) => "there is one point of contact",
-        _ => standing(answer),
-    };
-    others.unwrap_or_else(|| own.to_owned())
+    others.unwrap_or_else(|| of_this_answer(answer).to_owned())
 }
 
 /// What is to be done, as markup: the exercise's own words, or ours.

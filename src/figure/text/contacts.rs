@@ -42,6 +42,7 @@ pub(super) fn deepest(context: &Context, pick: fn([DVec2; 2]) -> f64) -> Option<
 
 #[cfg(test)]
 mod tests {
+    use crate::figure::fault::Fault;
     use crate::figure::plan;
     use crate::figure::text::value_of;
     use crate::scene::open_text;
@@ -76,7 +77,7 @@ mod tests {
 
     #[test]
     fn a_text_of_a_contact_that_has_one_point_has_a_dash_for_the_shallower_of_two() {
-        let words = |y: f64| {
+        let told = |y: f64| {
             let text = format!(
                 "caption = '{{=contacts}}, {{=shallow}}, {{=contact.a.x}}'
                 shapes.floor = {{ kind = 'aabb', half_extents = [5, 1] }}
@@ -84,8 +85,15 @@ mod tests {
                 query = {{ kind = 'contact', of = ['floor', 'B'] }}"
             );
             let scene = open_text("s.toml", &text).unwrap().scene;
-            plan(&scene).unwrap().caption.words.clone().unwrap()
+            let plan = plan(&scene).unwrap();
+            let why = plan.warnings.iter().find_map(|problem| match &problem.fault {
+                Fault::NoValue { why, .. } => Some(*why),
+                _ => None,
+            });
+            (plan.caption.words.clone().unwrap(), why)
         };
+        let words = |y: f64| told(y).0;
+        assert_eq!(told(1.5).1, Some("there is one point of contact"));
         assert_eq!(words(1.5), "1, –, 0");
         assert_eq!(words(9.0), "–, –, –", "they are apart");
     }

@@ -10,7 +10,7 @@ use crate::figure::lettering::{role_words, unknown, with_markers};
 use crate::figure::name::Name;
 use crate::figure::placement::{Fold, Reserve, Sought};
 use crate::figure::sketch::{Anchor, Label, Rank, Request, Size};
-use crate::figure::standing::standing;
+use crate::figure::standing::lacking;
 use crate::geometry::Side;
 use crate::scene;
 use crate::typeset::{self, Line, Style, TypesetError};
@@ -157,7 +157,7 @@ fn folds_of(label: &Label, line: &Line, style: Style) -> Vec<Fold> {
 
 /// A value that a text at `at` names and this answer lacks.
 pub(crate) fn no_value(value: String, context: &Context, at: &Range<usize>) -> Problem {
-    Problem::new(Fault::NoValue { value, why: standing(&context.run().answer) }, at.clone())
+    Problem::new(Fault::NoValue { value, why: lacking(&context.run().answer) }, at.clone())
 }
 
 /// What is wrong with the roles that words of a text at `at` wear, if anything is.

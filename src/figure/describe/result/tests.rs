@@ -143,6 +143,15 @@ fn of_several_shortest_pushes_one_is_told_as_one_of_them() {
         ));
         assert!(said.starts_with(&format!("a and b overlap; {pushes} by ")), "{said}");
     }
+    // Beside a vertex the edges that meet there are as near, as lines, and no way out.
+    for place in ["[2.25, 1.25]", "[-2.25, 1.25]", "[0, 1.375]"] {
+        let beside = said(&format!(
+            "shapes.a = {{ kind = 'box', half_extents = [2, 1] }}
+            shapes.b = {{ kind = 'circle', radius = 0.5, position = {place} }}
+            query = {{ kind = 'separation', of = ['a', 'b'] }}"
+        ));
+        assert!(beside.contains("the shortest push that parts them"), "{beside}");
+    }
     // The vertices of a pentagon are rounded, so that no two ways are exactly as long.
     let pentagon = said(
         "shapes.a = { kind = 'regular-polygon', edges = 5, circumradius = 2 }
