@@ -131,6 +131,7 @@ pub(crate) static WORDS: &[Row] = &rows([
         "(l’arête est à l’opposé)",
         "(la arista mira atrás)",
     ],
+    ["(from vertex to vertex)", "", "(von Ecke zu Ecke)", "(de sommet à sommet)", "(de vértice a vértice)"],
     [
         "(less than the distance)",
         "",

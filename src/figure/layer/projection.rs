@@ -160,7 +160,7 @@ fn draw_axis(sketch: &mut Sketch, (context, options): (&Context, &Options), t: &
     let from = if has_light { top - sketch.px(LIGHT) } else { top };
     // Where B lies behind A nothing is in both shadows, and no light falls between them this way.
     if !t.is_behind() {
-        lit(sketch, [t.a.hi, t.b.lo], [low, if t.gap > 0.0 { from } else { -track }], at);
+        lit(sketch, t.between(), [low, if t.gap > 0.0 { from } else { -track }], at);
     }
     let past = sketch.px(PAST);
     let values = options.flag("values", false);
@@ -200,11 +200,17 @@ fn draw_axis(sketch: &mut Sketch, (context, options): (&Context, &Options), t: &
     let pen = pen(options, t, joined);
     let distance = context.separation_at(context.time).and_then(|run| run.separation().map(|s| s.separation));
     let rounding = context.scene.query_at(context.time).rounding();
-    measure(sketch, t, ((values, distance, rounding), pen, low), at);
+    measure(sketch, t, ((values, distance, rounding), pen, low), (is_of_vertices(context, t), at));
     if values {
         numbers(sketch, ([t.a.hi, t.b.lo], t.gap), (t.n, down, TRACK), at);
         zero(sketch, (first, last), down, at);
     }
+}
+
+/// Whether an axis is that of two vertices and of no edge; a circle's only one is called none.
+fn is_of_vertices(context: &Context, t: &Tested) -> bool {
+    let mut bodies = context.sides().into_iter().filter_map(|side| context.body(side));
+    matches!(t.source, (_, Feature::Vertex(_))) && bodies.all(|body| body.shape.vertices.len() > 1)
 }
 
 /// How the measure is drawn.
@@ -265,12 +271,12 @@ fn beside_bodies(sketch: &Sketch, context: &Context, t: &Tested, points: &[DVec2
 }
 
 /// Draws what the test measures: from A's upper end to B's lower one, with both where their `values` are
-/// written.
+/// written, and whether the axis is that of two vertices and of no edge.
 fn measure(
     sketch: &mut Sketch,
     t: &Tested,
     ((values, distance, rounding), pen, track): ((bool, Option<f64>, f64), Pen, f64),
-    at: impl Fn(f64, f64) -> DVec2,
+    (cornered, at): (bool, impl Fn(f64, f64) -> DVec2),
 ) {
     let (p, q) = (at(t.a.hi, track), at(t.b.lo, track));
     sketch.part("gap").bar(p, q, 0.0, pen);
@@ -296,93 +302,12 @@ fn measure(
     } else if t.gap > 0.0 && distance.is_some_and(|distance| distance - t.gap > TIED * distance) {
         // The gap of an axis is not how far apart the bodies are.
         lines.push("(less than the distance)".to_owned());
+    } else if cornered {
+        lines.push("(from vertex to vertex)".to_owned());
     }
     let label = Label { lines, ..Label::new("gap", "", beside(p, q, out), pen.role) };
     sketch.label(label.rank(Rank::Measure));
 }
 
 #[cfg(test)]
-mod tests {
-    use crate::figure::layer::tests::{labels, lines, paths};
-    use crate::figure::{draw, plan};
-    use crate::scene::open_text;
-    use crate::trace::Event;
-
-    /// Two polygons that overlap, on an axis along which each reaches past the other's far end or not.
-    fn scene(axis: usize) -> String {
-        format!(
-            r#"
-            shapes.A = {{ kind = "polygon", vertices = [[-1, -0.6], [0.9, -0.8], [1.2, 0.5], [0, 1.1]] }}
-            shapes.B = {{ kind = "polygon", vertices = [[-0.8, -0.5], [0.8, -0.6], [1, 0.3], [0.1, 0.9]],
-                radius = 0.25, position = [1.3, 0.9], angle_deg = 10 }}
-            query = {{ kind = "separation", of = ["A", "B"], algorithm = "separating-axes" }}
-            panels = [{{ layers = [{{ layer = "projection", axis = {axis}, values = true }}] }}]
-        "#
-        )
-    }
-
-    #[test]
-    fn the_axis_reaches_the_shadow_of_the_origin_where_that_is_in_view() {
-        for (from, reaches) in [(-3.0, true), (1.5, false)] {
-            let text = format!(
-                "shapes.A = {{ kind = 'box', half_extents = [1, 1], position = [5, -1] }}
-                 shapes.B = {{ kind = 'box', half_extents = [1, 1], position = [8, 0] }}
-                 query = {{ kind = 'separation', of = ['A', 'B'], algorithm = 'separating-axes' }}
-                 panels = [{{ view = [{from}, -4, 12, 1],
-                    layers = [{{ layer = 'projection', axis = 2, values = true }}] }}]"
-            );
-            let scene = open_text("axes", &text).unwrap().scene;
-            let plan = plan(&scene).unwrap();
-            let figure = draw(&plan, plan.theme, "axes");
-            assert_eq!(labels(&figure).contains_key("zero"), reaches, "from {from}");
-            // From A's shadow, at 4, to B's, at 9: at least, and 4 more to the origin's.
-            let axis = lines(&figure, "axis")[0] / figure.panels[0].frame.scale;
-            assert_eq!(axis > 9.0, reaches, "from {from}: {axis}");
-        }
-    }
-
-    #[test]
-    fn the_number_is_the_drawn_length_and_a_gap_only_where_the_intervals_are_apart() {
-        for axis in 1..=8 {
-            let scene = open_text("axes", &scene(axis)).unwrap().scene;
-            let plan = plan(&scene).unwrap();
-            let tested = |e: &Event| match *e {
-                Event::AxisTested { interval_a, interval_b, gap, .. } => Some((interval_a, interval_b, gap)),
-                _ => None,
-            };
-            let (a, b, gap) = plan.own_run().events().filter_map(tested).nth(axis - 1).unwrap();
-            assert!((gap - (b.lo - a.hi)).abs() < 1e-14 * 4.0, "axis {axis}: {gap}, {a:?} to {b:?}");
-            let figure = draw(&plan, plan.theme, "axes");
-            let mut labels = labels(&figure);
-            for (key, end) in [("end.A", a.hi), ("begin.B", b.lo)] {
-                assert!((labels[key].1 - end).abs() < 0.006, "axis {axis}: {:?} is not {end}", labels[key]);
-            }
-            // n stands on the axis, from 0, and one long.
-            assert!(labels["axis"].0.starts_with("$n = ("), "{:?}", labels["axis"]);
-            assert!((lines(&figure, "normal")[0] / figure.panels[0].frame.scale - 1.0).abs() < 0.5);
-            assert_eq!(labels["zero"].1, 0.0, "both intervals hold 0, or lie beside it");
-            let (label, number) = labels.remove("gap").unwrap();
-            assert_eq!(label.starts_with("gap"), a.hi < b.lo, "axis {axis}: {label}");
-            assert_eq!(label.contains("faces away"), b.hi < a.lo, "axis {axis}: {label}");
-            let shared = a.hi.min(b.hi) - a.lo.max(b.lo);
-            assert_eq!(label.starts_with("overlap"), shared > 0.0 && shared == -(b.lo - a.hi), "axis {axis}");
-            let drawn = lines(&figure, "gap")[0] / figure.panels[0].frame.scale;
-            assert!((drawn - number).abs() < 0.005 && (drawn - gap.abs()).abs() < 1e-9, "{label}: {drawn}");
-        }
-    }
-
-    #[test]
-    fn joined_the_two_intervals_and_the_gap_lie_end_to_end_on_the_axis() {
-        let text = "shapes.A = { kind = 'box', half_extents = [1, 1] }
-            shapes.B = { kind = 'box', half_extents = [1, 1], position = [5, 0] }
-            query = { kind = 'separation', of = ['A', 'B'], algorithm = 'separating-axes' }
-            panels = [{ view = [-2, -4, 7, 2], layers = [{layer = 'projection', axis = 2, joined = true}] }]";
-        let scene = open_text("axes", text).unwrap().scene;
-        let plan = plan(&scene).unwrap();
-        let figure = draw(&plan, plan.theme, "axes");
-        let ends = |part| paths(&figure.drawing.items, part)[0].contour.bounds().unwrap();
-        let [a, gap, b] = ["interval-A", "gap", "interval-B"].map(ends);
-        let off = [a.x1 - gap.x0, gap.x1 - b.x0, a.y0 - gap.y0, gap.y0 - b.y0];
-        assert!(off.iter().all(|off| off.abs() < 1e-9), "{off:?}");
-    }
-}
+mod tests;

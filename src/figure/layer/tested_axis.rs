@@ -23,6 +23,13 @@ impl Tested {
     pub(super) fn is_behind(&self) -> bool {
         self.b.hi < self.a.lo
     }
+
+    /// The gap of the intervals, from its start, or what both share, from its end: less than the depth where
+    /// one reaches past the other's end.
+    pub(super) fn between(&self) -> [f64; 2] {
+        let Self { a, b, gap, .. } = self;
+        if *gap > 0.0 { [a.hi, b.lo] } else { [a.hi.min(b.hi), b.lo.max(a.lo)] }
+    }
 }
 
 /// What an event tells of an axis.
