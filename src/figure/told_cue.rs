@@ -67,6 +67,10 @@ impl Told {
                 let held = held.filter(|(simplex, _)| !shows(simplex, run, all_cues)).map(|(_, said)| said);
                 tell(title, held.into_iter().chain([said]).collect::<Vec<_>>().join(" "))
             }
+            Event::RayClipped { .. } if told::is_away(event) => {
+                let away = run.events().skip(cue.event).take_while(|event| told::is_away(event)).count();
+                tell(title, told::skipped(away, voice).unwrap_or_default())
+            }
             _ => {
                 let title = taken::title(&run.trace.events, cue.event, voice).unwrap_or(title);
                 let may_be_the_end = matches!(event, Event::CandidateImproved { .. });

@@ -292,9 +292,12 @@ impl Live {
                 Look::Own => plan.theme.name,
                 Look::Given { key, .. } => key,
             };
-            let hash = fingerprint(&self.now.file.meaning, &svg_key(key));
-            drawing.hash = text_chunk(&hash);
-            drawing.metadata = metadata(&hash, &facts(&plan));
+            // A page is no file that anyone compares: each frame would tell its trace to nobody.
+            if !cfg!(tracefig_page) {
+                let hash = fingerprint(&self.now.file.meaning, &svg_key(key));
+                drawing.hash = text_chunk(&hash);
+                drawing.metadata = metadata(&hash, &facts(&plan));
+            }
             svg_with(&drawing, &words)
         };
         let svg = written.map_err(|error| match error {

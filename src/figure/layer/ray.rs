@@ -7,6 +7,7 @@
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
+use crate::figure::cue::Cue;
 use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, MARKER, Marker, Pen, Rank, Size, Sketch, Weight};
 use crate::figure::text::number;
 use crate::geometry::{DVec2, Side};
@@ -90,6 +91,9 @@ const PART: f64 = 1.25;
 /// Opacity of those velocities: they run across what the relative one enters.
 const FAINT: f64 = 0.7;
 
+/// The most edges that come and go, which the eye could follow.
+const MOST_PASSING: usize = 40;
+
 /// How much farther than the hit a ray reaches that is cut there.
 const PAST: f64 = 1.5;
 
@@ -133,27 +137,65 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     if let Some(now) = context.play.stands_at() {
         sketch.since(None).part("now").marker(from + v * now, Marker::Disc, role, MARKER);
     }
+    tests(sketch, context, from, v);
 }
 
-/// Draws the lines of the edges that the ray `from` along v misses on its way to the hit: it meets the line
-/// of the edge that it enters through last.
-fn missed(sketch: &mut Sketch, context: &Context, from: DVec2, v: DVec2) {
+/// Draws the edges one by one as the ray `from` along v is held against them: each that faces it, and where
+/// it meets the line of one that it misses, until the next; the one that it enters through, and those in a
+/// row that are passed over, together, to the end.
+fn tests(sketch: &mut Sketch, context: &Context, from: DVec2, v: DVec2) {
+    let run = context.run();
+    let clipped = |event: &Event| match *event {
+        Event::RayClipped { from: p, to: q, outcome, time, .. } => {
+            Some(([p + from, q + from], outcome, time))
+        }
+        _ => None,
+    };
+    let all: Vec<(Cue, _)> = run.cues(clipped).take(MOST_PASSING).collect();
+    let mut first = run.end();
+    for (i, &(cue, (ends, outcome, time))) in all.iter().enumerate() {
+        let is_away = outcome == Culling::BackFacing;
+        let follows = i > 0 && is_away && all[i - 1].1.1 == outcome;
+        first = if follows { first } else { cue };
+        let goes = outcome == Culling::Missed;
+        let next = all.get(i + 1).filter(|_| goes).map_or(run.end(), |(next, _)| *next);
+        if first == next || ends[0] == ends[1] {
+            continue;
+        }
+        let role = if is_away { Role::Muted } else { Role::Now };
+        sketch.passing([first, next], |sketch| {
+            sketch.part("tested").line(ends[0], ends[1], Pen::highlighted(role));
+            let meets = time.filter(|time| goes && (0.0..=1.0).contains(time));
+            if let Some(time) = meets {
+                line_to(sketch, ends, from + v * time);
+            }
+        });
+    }
+}
+
+/// Draws the line of an edge on to where the ray meets it.
+fn line_to(sketch: &mut Sketch, [p, q]: [DVec2; 2], meets: DVec2) {
+    let end = if meets.distance_squared(p) < meets.distance_squared(q) { p } else { q };
+    sketch.part("line").weight(Weight::Light).line(end, meets, Pen::construction());
+    sketch.part("meets").marker(meets, Marker::HollowDisc, Role::Ink, MARKER);
+}
+
+/// Draws the lines of the edges that the ray from `start` along v misses on its way to the hit: it meets the
+/// line of the edge that it enters through last.
+fn missed(sketch: &mut Sketch, context: &Context, start: DVec2, v: DVec2) {
     let Some(hit) = context.hit_time() else { return };
     let run = context.run();
     let told = run.told(|event| match *event {
         Event::RayClipped { from, to, outcome: Culling::Missed, time: Some(time), .. } => {
-            Some((from, to, time))
+            Some((from + start, to + start, time))
         }
         _ => None,
     });
     // Two edges on one line are met together.
     let mut named = Vec::new();
     for (p, q, time) in told.filter(|(p, q, time)| p != q && (0.0..hit.lo).contains(time)) {
-        let meets = from + v * time;
-        let end = if meets.distance_squared(p) < meets.distance_squared(q) { p } else { q };
-        sketch.since(context.answered()).part("line").weight(Weight::Light);
-        sketch.line(end, meets, Pen::construction());
-        sketch.part("meets").marker(meets, Marker::HollowDisc, Role::Ink, MARKER);
+        let meets = start + v * time;
+        line_to(sketch.since(context.answered()), [p, q], meets);
         if !named.contains(&time) {
             named.push(time);
             let text = format!("its line: $t = {}$", number(time));

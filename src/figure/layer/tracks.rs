@@ -1,12 +1,19 @@
 //! The paths of the two points that touch, from t = 0 to the hit: rarely the points that are closest at the
-//! start. Each is marked where it is at the panel's moment.
+//! start. Each is marked where it is at the panel's moment; a figure in steps shows the bodies where an
+//! advancement looks at them on the way.
 
+use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, Marker, Pen, Rank, Sketch};
+use crate::figure::cue::Cue;
+use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, MARKER, Marker, Pen, Rank, Sketch};
 use crate::geometry::{DVec2, Side};
-use crate::trace::phrase;
+use crate::trace::{Event, phrase};
 
+use super::ghosts::ghost;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
+
+/// The most places on the way that come and go, which the eye could follow.
+const MOST_PASSING: usize = 40;
 
 pub(super) const LAYER: Layer = Layer {
     name: "tracks",
@@ -67,5 +74,35 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let anchor = Anchor::point_toward(place, away);
         let text = format!("${}$", context.numbered("x", side));
         sketch.label(Label::new(key, text, anchor, role).rank(Rank::Point));
+    }
+    // From where the story begins, as it is told.
+    let begins = context.time == 0.0 && context.moving_frame().is_none();
+    if begins && options.flag("paths", true) && !options.flag("ahead", false) {
+        looks(sketch, context, options);
+    }
+}
+
+/// Where an advancement looks on the way, and how far apart the bodies are there: each goes when the next one
+/// comes.
+fn looks(sketch: &mut Sketch, context: &Context, options: &Options) {
+    let run = context.run();
+    let look = |event: &Event| match *event {
+        Event::Advanced { at, points, .. } => Some((at.time, points)),
+        _ => None,
+    };
+    let all: Vec<(Cue, (f64, [DVec2; 2]))> = run.cues(look).take(MOST_PASSING).collect();
+    let ends = all.iter().skip(1).map(|(cue, _)| *cue).chain([run.end()]);
+    for ((from, (time, points)), to) in all.iter().zip(ends).filter(|((from, _), to)| from != to) {
+        sketch.passing([*from, to], |sketch| {
+            for side in context.sides() {
+                let elsewhere = context.pose(side, *time) != context.pose(side, context.time);
+                if let Some(outline) = context.outline(side, *time).filter(|_| elsewhere) {
+                    ghost(sketch, options, side, &outline, Vec::new());
+                }
+            }
+            sketch.part("look").line(points[0], points[1], Pen::dimension(Role::Translation));
+            sketch.marker(points[0], Marker::Disc, Role::Translation, MARKER);
+            sketch.marker(points[1], Marker::Square, Role::Translation, MARKER);
+        });
     }
 }

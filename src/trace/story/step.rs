@@ -70,6 +70,7 @@ pub(crate) fn ends_step(event: &Event) -> bool {
         | Event::AxisTested { .. }
         | Event::SimplexUpdated { .. }
         | Event::PolytopeExpanded { .. }
+        | Event::RayClipped { .. }
         | Event::Advanced { .. }
         | Event::AxisSwept { .. }
         | Event::ClosestApproachFound { .. }
@@ -82,7 +83,6 @@ pub(crate) fn ends_step(event: &Event) -> bool {
         Event::SupportFound { .. }
         | Event::EdgesMerged { .. }
         | Event::OriginProjected { .. }
-        | Event::RayClipped { .. }
         | Event::SeparatingAxisFound { .. } => false,
     }
 }

@@ -170,17 +170,25 @@ fn nearest(rows: &[&Event], voice: Voice) -> Option<String> {
     })
 }
 
-/// The edges that the ray is held against; those that face away are counted.
-fn along_ray(rows: &[&Event], voice: Voice) -> Vec<String> {
-    let is_away = |event: &&&Event| matches!(event, Event::RayClipped { outcome: Culling::BackFacing, .. });
-    let away = rows.iter().filter(is_away).count();
-    let met = rows.iter().filter(|event| !is_away(event)).map(|event| sentence_in(event, voice));
-    let skipped = match away {
+/// Whether an event is of a ray that passes over an edge, which faces away.
+pub(crate) fn is_away(event: &Event) -> bool {
+    matches!(event, Event::RayClipped { outcome: Culling::BackFacing, .. })
+}
+
+/// How many edges a ray passes over; `None` where it passes over none.
+pub(crate) fn skipped(away: usize, voice: Voice) -> Option<String> {
+    match away {
         0 => None,
         1 => Some(voice.word(&ONE_AWAY)),
         _ => Some(voice.say(&MANY_AWAY, &[&away.to_string()])),
-    };
-    skipped.into_iter().chain(met).collect()
+    }
+}
+
+/// The edges that the ray is held against; those that face away are counted.
+fn along_ray(rows: &[&Event], voice: Voice) -> Vec<String> {
+    let away = rows.iter().filter(|event| is_away(event)).count();
+    let met = rows.iter().filter(|event| !is_away(event)).map(|event| sentence_in(event, voice));
+    skipped(away, voice).into_iter().chain(met).collect()
 }
 
 #[cfg(test)]

@@ -124,6 +124,9 @@ pub(super) const SCENES: &[(&str, &str)] = &[
 const OF_THE_START: &[(&str, &str)] = &[
     ("tracks", "track-A"),
     ("tracks", "track-B"),
+    ("tracks", "ghost-A"),
+    ("tracks", "ghost-B"),
+    ("tracks", "look"),
     ("ray", "ray"),
     ("ray", "until-hit"),
     ("advancement", ""),
