@@ -80,9 +80,10 @@ class Figure extends Edited {
         this.around = [this.overlay, this.why, this.bar, this.say, details];
         this.fill();
         this.stage.addEventListener("pointerdown", (event) => this.grab(event));
-        // A finger that holds something drags it; beside it the page scrolls. What is within an SVG can't say so
-        // by its style.
-        const keep = (event) => event.touches.length === 1 && under(this, event.touches[0]) && event.preventDefault();
+        // A finger that holds something drags it; beside it the page scrolls. No style within an SVG says so.
+        const keep = (event) => {
+            if (event.touches.length === 1 && under(this, event.touches[0])) event.preventDefault();
+        };
         this.stage.addEventListener("touchstart", keep, { passive: false });
         this.shown();
         new ResizeObserver(() => this.fit()).observe(this.root);
@@ -101,7 +102,8 @@ class Figure extends Edited {
             const go = (to) => () => this.toStep(to());
             const last = () => this.info.steps.length;
             const now = () => Math.min(this.step, last());
-            const [back, on] = [() => Math.max(now() - 1, 1), () => (now() >= last() - 1 ? WHOLE : now() + 1)];
+            const back = () => Math.max(now() - 1, 1);
+            const on = () => (now() + 1 >= last() ? WHOLE : now() + 1);
             this.count = make("span", { class: "count" });
             this.before = button(sign("◀"), go(back), { "aria-label": this.word("before") });
             this.after = button(sign("▶"), go(on), { "aria-label": this.word("after") });

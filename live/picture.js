@@ -245,6 +245,10 @@ function kindred(old, next) {
 class Picture {
     constructor(svg) {
         this.svg = svg;
+        // What the file says of itself is of the picture as it came; the module draws none.
+        const metadata = svg.querySelector("metadata");
+        metadata?.previousSibling.remove(); // The end of the line before it.
+        metadata?.remove();
     }
 
     // Width and height in page pixels.

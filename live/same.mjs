@@ -1,4 +1,5 @@
-// Whether the module draws the bytes that `tracefig render` wrote, and says what the page says before it:
+// Whether the module draws the bytes that `tracefig render` wrote, but for the metadata of a file, and says
+// what the page says before it:
 // `node live/same.mjs SCENES FOLDER [MODULE]`.
 //
 // For each scene of the first folder it draws every STEM.svg and STEM.THEME.svg that lies in the second.
@@ -17,7 +18,7 @@ for (const [stem, { scene, faces, texts, info }] of requests(scenes)) {
     const says = JSON.stringify(info);
     const pictures = readdirSync(folder).filter(is_ours);
     for (const name of pictures) {
-        const wanted = readFileSync(join(folder, name), 'utf8');
+        const wanted = readFileSync(join(folder, name), 'utf8').replace(/\s*<metadata>.*?<\/metadata>/s, '');
         const theme = name.slice(stem.length + 1, -'.svg'.length) || undefined;
         all += 1;
         const request = { scene, faces, texts, id: prefix(wanted), theme };
