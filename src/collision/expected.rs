@@ -11,7 +11,8 @@ use crate::collision::{Answer, ClosestApproach, Outcome, Query, Separation, Verd
 use crate::geometry::{Body, DVec2, Enclosure, Feature, Pose, Side, UnitVector, perp};
 use crate::trace::Event;
 
-/// Gaps along directions that tie differ by no more than this times S: what doubles leave of them.
+/// Gaps along directions that tie differ by no more than this times S, and directions that are one by no more
+/// than this in radians: what doubles leave of them.
 const TIED: f64 = 32.0 * f64::EPSILON;
 
 /// What someone else answered, as far as it is known.
@@ -170,7 +171,11 @@ fn beyond(x: Option<f64>, bounds: Option<Enclosure>) -> Option<f64> {
 /// The angle between a normal and ours, in degrees. Where several tie it is that to the nearest: 0 where the
 /// gap along it is the separation too, and else at most that to an edge's normal of which that holds.
 fn normal_off(bodies: [&Body; 2], n: UnitVector, (ours, time): &(Separation, f64), size: f64) -> f64 {
-    let angle = |m: DVec2| libm::atan2(n.perp_dot(m).abs(), n.dot(m)).to_degrees();
+    let angle = |m: DVec2| {
+        let turned = libm::atan2(n.perp_dot(m).abs(), n.dot(m));
+        // Two ways to the same unit vector differ by that.
+        if turned <= TIED { 0.0 } else { turned.to_degrees() }
+    };
     let own = angle(*ours.normal);
     if ours.ties == 1 {
         return own;

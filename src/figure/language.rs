@@ -105,6 +105,7 @@ pub(crate) static WORDS: &[Row] = &rows([
     ["centres $*$ apart", "$*$", "Mittelpunkte $*$ entfernt", "centres distants de $*$", "centros a $*$"],
     ["$*$, longer", "$*$", "$*$, länger", "$*$, plus long", "$*$, más largo"],
     ["their points $*$ apart", "$*$", "ihre Punkte $*$ entfernt", "leurs points à $*$", "sus puntos a $*$"],
+    ["any direction", "", "jede Richtung", "toute direction", "cualquier dirección"],
     ["one of several", "", "eine von mehreren", "parmi plusieurs", "entre varias"],
     ["clamped $*$", r"$\mathrm{clamp}(*)$", "$*$ begrenzt", "$*$ borné", "$*$ limitado"],
     ["largest gap:", "", "größte Lücke:", "plus grand écart :", "hueco mayor:"],

@@ -117,6 +117,11 @@ fn an_outcome_is_held_against_ours_where_that_is_decided() {
 #[test]
 fn a_normal_is_off_by_its_angle_and_a_separation_by_what_is_beyond_the_bounds() {
     let (a, b) = (polygon(&[[0.0, 0.0]], 1.0), placed(polygon(&[[0.0, 0.0]], 1.0), 3.0, 4.0, 0.0));
+    assert_eq!(
+        off(&a, &b, normal(0.6 + f64::EPSILON, 0.8)).normal_deg,
+        Some(0.0),
+        "the same but for rounding"
+    );
     let found = off(&a, &b, normal(0.8, 0.6)).normal_deg.unwrap();
     assert!((found - 16.260_204_708_311_957).abs() < 1e-12, "{found}");
     let separation =

@@ -14,7 +14,8 @@ inset = "small"
 layers = [
   { layer = "shapes", centers = true },
   { layer = "half-extents", style = "dimension" },
-  { layer = "clamp", show = ["V", "clamped", "Bc", "D"] },
+  { layer = "clamp", show = ["V", "clamped", "Bc", "D"], values = true },
+  "radii",
   { layer = "separation", style = "dimension", offset = 16 },
 ]
 "#,

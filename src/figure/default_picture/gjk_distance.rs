@@ -18,6 +18,6 @@ layers = ["shapes", { layer = "separation", points = true }]
 title = "Configuration space"
 space = "configuration"
 inset = "small"
-layers = ["axes", "difference", "simplex", "origin"]
+layers = ["axes", "difference", { layer = "simplex", values = true }, "origin"]
 "#,
 };

@@ -23,6 +23,6 @@ layers = [
 title = "Configuration space"
 space = "configuration"
 inset = "small"
-layers = ["axes", "difference", "simplex", "origin"]
+layers = ["axes", "difference", { layer = "simplex", values = true }, "origin"]
 "#,
 };

@@ -10,6 +10,6 @@ pub(super) const PICTURE: Picture = Picture {
 [[panels]]
 time = "start"
 inset = "small"
-layers = ["shapes", { layer = "ghosts", at = "hit" }, "tracks", "spin", "contact"]
+layers = ["shapes", { layer = "ghosts", at = "hit" }, "tracks", "velocity", "spin", "contact"]
 "#,
 };

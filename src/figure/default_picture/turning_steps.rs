@@ -16,6 +16,8 @@ layers = [
   "shapes",
   { layer = "ghosts", at = "steps", numbered = true },
   { layer = "separation", at = "steps" },
+  "velocity",
+  "spin",
   "contact",
 ]
 

@@ -12,7 +12,7 @@ pub(super) const PICTURE: Picture = Picture {
 title = "World"
 time = "start"
 inset = "small"
-layers = ["shapes", { layer = "ghosts", at = "hit" }, "tracks", "contact"]
+layers = ["shapes", { layer = "ghosts", at = "hit" }, "tracks", "velocity", "spin", "contact"]
 
 [[panels]]
 title = "Separation over time"

@@ -16,7 +16,7 @@ use crate::trace::{Event, phrase};
 
 use super::difference::difference;
 use super::polytope::PUSHED;
-use super::{Fed, LabelKey, Layer, ONE_OF_SEVERAL, OptionSpec, Options, Shows, Takes, Tells};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, tied};
 
 /// Radius of the arc of the half turn, page pixels: clear of the origin's ring.
 const TURN: f64 = 26.0;
@@ -108,8 +108,8 @@ pub(super) struct Nearest {
     pub(super) text: String,
     /// Whether the bodies overlap, by a proved depth.
     pub(super) overlap: bool,
-    /// Whether they overlap and other ways out are as short.
-    pub(super) ties: bool,
+    /// Of bodies that overlap, how many ways out are as short; 0 are all there are.
+    pub(super) ties: u32,
 }
 
 /// From the origin at the panel's moment to the nearest point of B ⊖ A then: the last, so the best, candidate
@@ -128,7 +128,7 @@ pub(super) fn nearest(context: &Context) -> Option<Nearest> {
     let text = asked_distance(context, &answer)
         .unwrap_or_else(|| distance_or_depth(&answer, context.scene.query_at(context.time).rounding()));
     let overlap = answer.bounds.hi < 0.0;
-    Some(Nearest { foot, text, overlap, ties: overlap && answer.ties != 1 })
+    Some(Nearest { foot, text, overlap, ties: if overlap { answer.ties } else { 1 } })
 }
 
 /// What is said beside the length of bodies that seem to touch on the page, where they are known not to.
@@ -166,8 +166,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.detail(&[from, to]);
     let answer = context.separation_at(context.time).and_then(|run| run.separation().copied());
     let said = answer.and_then(|answer| unseen(sketch, context, &answer));
-    let ties = ties.then(|| ONE_OF_SEVERAL.to_owned());
-    let lines = std::iter::once(text).chain(said).chain(ties).collect();
+    let lines = std::iter::once(text).chain(said).chain(tied(ties)).collect();
     let label = Label { lines, ..Label::new("d", "", Anchor::middle(from, to), role) };
     sketch.label(match options.words("text") {
         Some(lines) => label.given(lines),

@@ -56,9 +56,11 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         sketch.part("ours").marker(ours.points[1], Marker::Square, Role::Translation, MARKER);
         // Both numbers stand on the picture, to be compared.
         let is_said = ["separation", super::approach::LAYER.name].iter().any(|layer| sketch.has_layer(layer));
-        if theirs.separation.is_some() && !is_said {
+        let own = distance(context, ours);
+        let other = |s: f64| format!("= {}", number(s)) != own;
+        if theirs.separation.is_some_and(other) && !is_said {
             let anchor = Anchor::Beside { from: ours.points[1], to: ours.points[0], offset: 0.0 };
-            let text = format!("$s {}$", distance(context, ours));
+            let text = format!("$s {own}$");
             sketch.label(Label::new("ours", text, anchor, Role::Translation));
         }
     }

@@ -147,6 +147,12 @@ const STEPS: &str = "steps";
 /// What is said of an answer that ties with others.
 const ONE_OF_SEVERAL: &str = "one of several";
 
+/// What is said of a direction of an answer that ties with others, by how many do; 0 are all there are.
+fn tied(ties: u32) -> Option<String> {
+    let said = if ties == 0 { "any direction" } else { ONE_OF_SEVERAL };
+    (ties != 1).then(|| said.to_owned())
+}
+
 /// Every layer, in the order of `tracefig list`.
 pub static LAYERS: &[Layer] = &[
     shapes::LAYER,

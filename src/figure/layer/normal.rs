@@ -12,7 +12,7 @@ use crate::trace::phrase;
 
 use super::moment;
 use super::separation::{Carrying, NO_EDGE, drawn, edges};
-use super::{Fed, LabelKey, Layer, ONE_OF_SEVERAL, OptionSpec, Options, Shows, Takes, Tells};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, tied};
 
 /// Drawn length of the unit vector where the scene does not say, world units: its own.
 const LENGTH: f64 = 1.0;
@@ -91,7 +91,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let (key, letter) = if flip { ("N", "N") } else { ("n", "n") };
     let mut lines = vec![format!("${letter}$")];
     lines.extend(moment::other(context, time));
-    lines.extend((answer.ties != 1).then(|| ONE_OF_SEVERAL.to_owned()));
+    lines.extend(tied(answer.ties));
     let length = options.number("length");
     let leg = edge(options, &drawn).or_else(|| touched(&drawn, from));
     if let Some((on, leg)) = leg {

@@ -20,7 +20,7 @@ use crate::scene::{NOTES, When};
 use super::closest::{WayOut, longer, longer_way, unseen};
 use super::depth_disc::{disc, disc_place};
 use super::difference::difference;
-use super::{Fed, LabelKey, Layer, ONE_OF_SEVERAL, OptionSpec, Options, STEPS, Shows, Takes, Tells};
+use super::{Fed, LabelKey, Layer, OptionSpec, Options, STEPS, Shows, Takes, Tells, tied};
 use super::{graph, moment};
 
 /// At how many steps the separation is drawn; the later ones are a blur at the contact.
@@ -214,7 +214,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let text = asked_distance(context, &answer).unwrap_or(text);
     // On the outer side of a line that is moved aside; a long text on a short arrow beyond one of its ends.
     let anchor = Anchor::Beside { from: q, to: p, offset };
-    let ties = (answer.bounds.hi < 0.0 && answer.ties != 1).then(|| ONE_OF_SEVERAL.to_owned());
+    let ties = tied(answer.ties).filter(|_| answer.bounds.hi < 0.0);
     let then = moment::other(context, run.time);
     let lines =
         std::iter::once(text).chain(then).chain(unseen(sketch, context, &answer)).chain(ties).collect();
