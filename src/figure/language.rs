@@ -207,7 +207,7 @@ pub(crate) static WORDS: &[Row] = &rows([
         "pendiente $*: cada arco acaba aquí",
     ],
     ["along $*", "$*", "entlang $*", "le long de $*", "a lo largo de $*"],
-    ["as far as $p$", "", "so weit wie $p$", "aussi loin que $p$", "tan lejos como $p$"],
+    ["as far as $*$", "", "so weit wie $*$", "aussi loin que $*$", "tan lejos como $*$"],
     ["* (not to scale)", "*", "* (nicht maßstäblich)", "* (hors échelle)", "* (no a escala)"],
     [
         "* turned about its origin",

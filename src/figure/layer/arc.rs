@@ -165,6 +165,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
     sketch.since(at(if sector { turned::BOUND } else { turned::ARC }));
     let after = t.after();
+    // Each of two bodies has its own.
+    let is_one = context.sides().len() == 1;
+    let name = if is_one { "p".to_owned() } else { context.numbered("p", t.side) };
     if sector {
         let slice = Outline::sector(t.center, t.radius, t.start, t.sweep);
         sketch.part("sector").area(&slice, Some(Wash::faint(Role::Muted, SECTOR)), None);
@@ -183,7 +186,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.part("arc").arc_arrow(t.center, t.radius, t.start, t.sweep - rim, accent);
     let (role, marker) = (Role::from(t.side), if t.side == Side::A { Marker::Disc } else { Marker::Square });
     if !sector {
-        as_far(sketch.since(at(turned::FARTHEST)), &t);
+        as_far(sketch.since(at(turned::FARTHEST)), &t, &name);
     }
     sketch.part("extreme-point").marker(t.before(), marker, role, MARKER);
     sketch.part("extreme-point").marker(after, marker, role, MARKER);
@@ -191,7 +194,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     if options.flag("fan", false) {
         fan(sketch, &t, nearer(context, options, &t));
     }
-    points(sketch, &t, after);
+    points(sketch, &t, after, &name);
     let arm = nearer(context, options, &t);
     measures(sketch, options, &t, (sector, arm.is_some()));
     if let Some(arm) = arm {
@@ -255,21 +258,21 @@ fn shorter(sketch: &mut Sketch, t: &Turn, arm: DVec2, sector: bool) {
 }
 
 /// Marks the other points that are as far from the origin as the extreme point; the first is named.
-fn as_far(sketch: &mut Sketch, t: &Turn) {
+fn as_far(sketch: &mut Sketch, t: &Turn, name: &str) {
     let marker = if t.side == Side::A { Marker::HollowDisc } else { Marker::HollowSquare };
     for &point in &t.others {
         sketch.part("as-far").marker(point, marker, t.side.into(), SMALL_MARKER);
     }
     if let Some(&first) = t.others.first() {
         let anchor = Anchor::point_toward(first, first - t.center);
-        let label = Label::new("others", "as far as $p$", anchor, Role::Muted);
+        let label = Label::new("others", format!("as far as ${name}$"), anchor, Role::Muted);
         sketch.label(label.rank(Rank::Word).size(Size::Note));
     }
 }
 
 /// Names the extreme point before and after.
-fn points(sketch: &mut Sketch, t: &Turn, after: DVec2) {
-    for (key, text, point) in [("p", "$p$", t.before()), ("p'", "$p'$", after)] {
+fn points(sketch: &mut Sketch, t: &Turn, after: DVec2, name: &str) {
+    for (key, text, point) in [("p", format!("${name}$"), t.before()), ("p'", format!("${name}'$"), after)] {
         let anchor = Anchor::point_toward(point, point - t.center);
         sketch.label(Label::new(key, text, anchor, Role::Ink).rank(Rank::Point));
     }

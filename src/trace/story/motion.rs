@@ -11,6 +11,9 @@ use super::words::Voice;
 use crate::geometry::{DVec2, Feature, MOST_EPS, Side};
 use crate::trace::{Culling, Moment, SupportVertex};
 
+/// By how much of a unit answers differ that are the same but for rounding.
+const ROUNDING: f64 = 32.0 * f64::EPSILON;
+
 pub(super) fn ray(
     voice: Voice,
     (side, feature): (Side, Feature),
@@ -86,23 +89,26 @@ pub(super) fn compared(
         }
         told => told,
     };
-    let point = |side: Side, x: f64| voice.say(&POINT_BY, &[&voice.of(side), &length(x)]);
-    let known = [separation, time, normal, points.map(|[a, _]| a), points.map(|[_, b]| b)];
-    if outcome.is_none() && known == [None; 5] {
+    let name = |side: Side| if is_full { voice.of(side) } else { voice.names.of(side).to_owned() };
+    let point = |side: Side, x: f64| voice.say(&POINT_BY, &[&name(side), &length(x)]);
+    let [a, b] = [points.map(|[a, _]| a), points.map(|[_, b]| b)];
+    if outcome.is_none() && [separation, time, normal, a] == [None; 4] {
         return voice.word(&INCOMPARABLE);
     }
-    let [separation, time, normal, a, b] = known.map(|known| known.filter(|&x| x != 0.0));
+    // What another rounding of the same numbers gives is no news to who looks at a figure.
+    let least = if is_full { 0.0 } else { ROUNDING };
+    let told = |x: Option<f64>, unit: f64| x.filter(|x| x.abs() > least * unit);
     let words = |both: [&str; 2]| {
         let [theirs, ours] = both.map(|word| voice.outcome(word));
         voice.say(&OUTCOME_BY, &[theirs, ours])
     };
     let parts = [
         outcome.filter(|[theirs, ours]| theirs != ours).map(words),
-        separation.map(|x| voice.say(&SEPARATION_BY, &[&length(x)])),
-        time.map(|x| voice.say(&TIME_BY, &[&voice.few(x)])),
-        normal.map(|x| voice.say(&NORMAL_BY, &[&voice.few(x)])),
-        a.map(|x| point(Side::A, x)),
-        b.map(|x| point(Side::B, x)),
+        told(separation, size).map(|x| voice.say(&SEPARATION_BY, &[&length(x)])),
+        told(time, 1.0).map(|x| voice.say(&TIME_BY, &[&voice.few(x)])),
+        told(normal, 1.0).map(|x| voice.say(&NORMAL_BY, &[&voice.few(x)])),
+        told(a, size).map(|x| point(Side::A, x)),
+        told(b, size).map(|x| point(Side::B, x)),
     ];
     let parts: Vec<String> = parts.into_iter().flatten().collect();
     let all = parts.join(voice.tongue.between());
