@@ -20,10 +20,12 @@ function grainOf({ pull }) {
     return Math.abs(pull.unit) / (pull.turn ? 60 : 1);
 }
 
-// The step that a handle snaps to: what the scene says, for angles 5° or a tenth of a radian. A quarter of a
-// unit, which nobody asked for, is not taken in a world where it is nothing or everything.
+// The step that a handle snaps to: what the scene says, for angles 5° or a tenth of a radian, for times a
+// hundredth. A quarter of a unit, which nobody asked for, is not taken in a world where it is nothing or
+// everything.
 function stepOf(handle, snap) {
     if (handle.pull?.turn) return Math.abs(handle.pull.unit) > 2 ? 5 : 0.1;
+    if (handle.grip === "time") return 0.01;
     if (snap) return snap;
     if (!handle.pull) return 0.25;
     const pixels = 0.25 / grainOf(handle);

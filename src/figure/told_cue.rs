@@ -50,7 +50,7 @@ impl Told {
                 if is_whole(&cue) && run.events().any(tells_edge) =>
             {
                 let edges = run.events().filter(|event| tells_edge(event)).count();
-                tell(voice.difference(), step::sentence_of_difference(edges, voice))
+                tell(voice.difference(), step::sentence_of_difference(edges, is_given, voice))
             }
             Event::Finished { .. } => {
                 let of_a_moment = cue.teller == Teller::OtherQuestion;

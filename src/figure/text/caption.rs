@@ -247,7 +247,8 @@ pub(crate) fn spoken(
 /// A caption in `words` of ours, which are set as `markup`; empty where the page has no room for it, or the
 /// font lacks a letter.
 pub(crate) fn caption_of_words(measures: &Measures, words: String, markup: &str) -> Across {
-    let room = Block::Caption.room(measures);
+    // In columns each sentence would be read as the caption of the panel over it.
+    let room = Room { column: None, ..Block::Caption.room(measures) };
     let markup = with_powers(markup);
     let columns = room.columns(&markup, |part, room| Lettering::new(part, |text| room.set(text)));
     let set = Across { columns: columns.unwrap_or_default(), words: Some(words), is_answer: true };

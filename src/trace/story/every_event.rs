@@ -189,7 +189,7 @@ fn said(voice: Voice) -> Vec<String> {
         }
     }
     texts.push(step::title_at(0.5, voice));
-    texts.push(step::sentence_of_difference(7, voice));
+    texts.extend([false, true].map(|is_given| step::sentence_of_difference(7, is_given, voice)));
     for k in 0..events.len() {
         texts.extend(growth::title(&events[..k], &events[k], &events[k + 1..], voice));
         texts.extend(growth::title(&[], &events[k], &events[k + 1..], voice));

@@ -5,7 +5,7 @@
 //! has a part for each, so that a figure can show them in that order.
 
 use super::motion::with_turning;
-use super::phrases::events::EDGES;
+use super::phrases::events::{EDGES, UNBUILT};
 use super::phrases::steps as words;
 use super::{Voice, sentence_in};
 use crate::geometry::DVec2;
@@ -213,10 +213,10 @@ pub(crate) fn sentence_of_part(event: &Event, of: usize, voice: Voice) -> String
     }
 }
 
-/// What B ⊖ A as a whole is told as.
+/// What B ⊖ A as a whole is told as, which is given where the algorithm has no need of it.
 #[must_use]
-pub(crate) fn sentence_of_difference(edges: usize, voice: Voice) -> String {
-    voice.say(&EDGES, &[&voice.difference(), &edges.to_string()])
+pub(crate) fn sentence_of_difference(edges: usize, is_given: bool, voice: Voice) -> String {
+    voice.say(if is_given { &UNBUILT } else { &EDGES }, &[&voice.difference(), &edges.to_string()])
 }
 
 /// What is said of steps of an advancement of which a figure shows none.

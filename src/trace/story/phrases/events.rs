@@ -260,6 +260,11 @@ phrases! {
         "* tiene * aristas, de vértice a vértice: *.";
     /// How many they are.
     EDGES: "* has * edges.", "* hat * Kanten.", "* a * arêtes.", "* tiene * aristas.";
+    /// How many they are that are drawn for a reader alone.
+    UNBUILT: "* has * edges; the algorithm does not build it.",
+        "* hat * Kanten; der Algorithmus bildet sie nicht.",
+        "* a * arêtes ; l’algorithme ne la construit pas.",
+        "* tiene * aristas; el algoritmo no la construye.";
     /// The nearest of them: edge, body, how far, where.
     NEAREST: "Nearest to the origin is * of *: * away, at *.",
         "Dem Ursprung am nächsten ist * von *: * entfernt, bei *.",
