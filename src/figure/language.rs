@@ -106,7 +106,7 @@ pub(crate) static WORDS: &[Row] = &rows([
     ["$*$, longer", "$*$", "$*$, länger", "$*$, plus long", "$*$, más largo"],
     ["their points $*$ apart", "$*$", "ihre Punkte $*$ entfernt", "leurs points à $*$", "sus puntos a $*$"],
     ["any direction", "", "jede Richtung", "toute direction", "cualquier dirección"],
-    ["one of several", "", "eine von mehreren", "parmi plusieurs", "entre varias"],
+    ["one of several", "", "eine von mehreren", "une parmi plusieurs", "una de varias"],
     ["clamped $*$", r"$\mathrm{clamp}(*)$", "$*$ begrenzt", "$*$ borné", "$*$ limitado"],
     ["largest gap:", "", "größte Lücke:", "plus grand écart :", "hueco mayor:"],
     ["centres:", "", "Mittelpunkte:", "centres :", "centros:"],

@@ -214,7 +214,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let text = asked_distance(context, &answer).unwrap_or(text);
     // On the outer side of a line that is moved aside; a long text on a short arrow beyond one of its ends.
     let anchor = Anchor::Beside { from: q, to: p, offset };
-    let ties = tied(answer.ties).filter(|_| answer.bounds.hi < 0.0);
+    // That of concentric circles every way is as long is plain to see, where there is little room.
+    let ties = tied(answer.ties).filter(|_| answer.bounds.hi < 0.0 && answer.ties > 0);
     let then = moment::other(context, run.time);
     let lines =
         std::iter::once(text).chain(then).chain(unseen(sketch, context, &answer)).chain(ties).collect();
