@@ -82,9 +82,12 @@ impl Checked {
         self.miss(file, status, message);
     }
 
-    /// Adds a file that could not be checked, and why.
+    /// Adds a file that could not be checked, why, and the place of that.
     pub(crate) fn miss(&mut self, file: &str, status: Status, message: &str) {
-        self.miss_by(file, status, message.lines().take(1).map(str::to_owned).collect());
+        let mut lines = message.lines();
+        let why = lines.next();
+        let place = lines.next().map(str::trim_start).filter(|line| line.starts_with("--> "));
+        self.miss_by(file, status, why.into_iter().chain(place).map(str::to_owned).collect());
     }
 
     /// Adds a file that could not be checked, and the lines that say why.

@@ -305,6 +305,17 @@ fn what_cannot_be_read_is_no_wrong_figure() {
 }
 
 #[test]
+fn reports_have_the_place_of_what_is_wrong_with_a_scene() {
+    let folder = folder_with("s.toml", &drawn().replacen("radius = ", "radius = ?", 1));
+    let check = ["check", "s.toml", "--format", "svg", "--junit", "junit.xml", "--summary", "summary.md"];
+    assert_eq!(run(tracefig(folder.path()).args(check)).code, Some(1));
+    for report in ["junit.xml", "summary.md"] {
+        let report = fs::read_to_string(folder.path().join(report)).unwrap();
+        assert!(report.contains("error[syntax]") && report.contains("s.toml:4:10"), "{report}");
+    }
+}
+
+#[test]
 fn two_scenes_of_one_name_are_a_finding_and_the_others_are_checked() {
     let folder = folder_with("s.toml", &drawn());
     let here = folder.path();
