@@ -10,6 +10,6 @@ pub(super) const PICTURE: Picture = Picture {
     fits: |case| case.count(|e| matches!(e, Event::ExtentsCompared { .. })) > 0,
     panels: r#"
 [[panels]]
-layers = ["axis-gaps", { layer = "shapes", centers = true }]
+layers = ["axis-gaps", { layer = "shapes", centers = true }, "separation"]
 "#,
 };

@@ -17,7 +17,8 @@ phrases! {
         "ningún punto de * se mueve más de *.";
     /// The bound of one that is carried along and turns: which, how far, of that with the velocity, the turn.
     NO_FARTHER_BY: "no point of * travels farther than *: * with the velocity and at most * with the turn.",
-        "kein Punkt von * bewegt sich weiter als *: * mit der Geschwindigkeit, höchstens * mit der Drehung.",
+        "kein Punkt von * bewegt sich weiter als *: * durch die Geschwindigkeit, höchstens * durch die \
+         Drehung.",
         "aucun point de * ne se déplace de plus de * : * avec la vitesse et au plus * avec la rotation.",
         "ningún punto de * se mueve más de *: * con la velocidad y como máximo * con el giro.";
     /// The bound of two.
@@ -28,8 +29,8 @@ phrases! {
     /// The bound of two that are carried along and turn.
     NO_NEARER_BY: "no two points of * and * come nearer to each other by more than *: * with the velocities \
         and at most * with the turns.",
-        "ein Punkt von * und einer von * nähern sich nie um mehr als *: * mit den Geschwindigkeiten und \
-        höchstens * mit den Drehungen.",
+        "ein Punkt von * und einer von * nähern sich nie um mehr als *: * durch die Geschwindigkeiten und \
+        höchstens * durch die Drehungen.",
         "un point de * et un de * ne se rapprochent jamais de plus de * : * avec les vitesses et au plus * \
         avec les rotations.",
         "un punto de * y uno de * nunca se acercan más de *: * con las velocidades y como máximo * con los \
