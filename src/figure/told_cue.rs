@@ -107,7 +107,8 @@ fn advanced((run, event): (&Run, &Event), (cue, all): (Cue, &[Cue]), voice: Voic
 pub(super) fn result((scene, voice): (&Scene, Voice), runs: &[Arc<Run>], run: &Run) -> String {
     let beside = |other: &&Arc<Run>| other.time == run.time && other.separation().is_some();
     let other = runs.iter().find(beside).map(Arc::as_ref);
-    Account::beside(scene, run, other).sentence_of_bodies(voice.names)
+    let told = Account::beside(scene, run, other);
+    if run.is_own() { told.sentence_and_off(voice.names) } else { told.sentence_of_bodies(voice.names) }
 }
 
 /// Whether a mark of the figure comes with an event.

@@ -96,13 +96,15 @@ impl<'r> Account<'r> {
     /// The sentence, and how far off what the scene expects is: in words, and as markup with the bodies'
     /// names as labels have them, a letter in italics.
     pub(crate) fn caption(&self, called: &Called) -> [String; 2] {
-        let said = |names: [&str; 2]| {
-            let off = compared(self.scene, self.run, &Names::new(names[0], Some(names[1])));
-            [sentence_of(names, self), off].join(" ").trim_end().to_owned()
-        };
-        let names = called.names(self.scene);
-        let in_words = said([names.of(Side::A), names.of(Side::B)]);
+        let said = |[a, b]: [&str; 2]| self.sentence_and_off(&Names::new(a, Some(b)));
+        let in_words = self.sentence_and_off(&called.names(self.scene));
         [in_words, named(Side::BOTH.map(|side| called.side(self.scene, side)), said)]
+    }
+
+    /// The sentence, and how far off what the scene expects is, about bodies of these names.
+    pub(crate) fn sentence_and_off(&self, names: &Names) -> String {
+        let off = compared(self.scene, self.run, names);
+        [self.sentence_of_bodies(names), off].join(" ").trim_end().to_owned()
     }
 
     /// The result as a sentence that begins with a small letter.

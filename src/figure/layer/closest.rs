@@ -108,7 +108,7 @@ pub(super) struct Nearest {
     pub(super) text: String,
     /// Whether the bodies overlap, by a proved depth.
     pub(super) overlap: bool,
-    /// Of bodies that overlap, how many ways out are as short; 0 are all there are.
+    /// How many ways out are as short, of bodies that overlap; 0 are all there are.
     pub(super) ties: u32,
 }
 

@@ -327,7 +327,7 @@ fn search(
     if next.is_none() {
         // On one side of v are the radii, where there are any; beyond the line is the origin's side.
         let (words, anchor) = if rounded {
-            ("no vertex of the cores beyond", Anchor::tip(foot, end))
+            ("no vertex of the cores beyond", Anchor::point_toward(end, (end - foot).normalize_or_zero() - u))
         } else {
             ("no vertex beyond", Anchor::point_toward(foot.lerp(begin, 0.5), -u))
         };
