@@ -111,7 +111,8 @@ impl<R: Read> LinesToDraw<R> {
         let plain = Some(safe(&id)).filter(|stem| !stem.is_empty());
         let plain = plain.unwrap_or_else(|| format!("line-{number}"));
         let mut first = number;
-        for stem in [kept_apart(&plain, &id), plain].into_iter().rev() {
+        let apart = kept_apart(&plain, &id);
+        for stem in [plain, apart] {
             let own = Named { line: number, id: fingerprint(&id, "id") };
             // Some file systems take capitals for small letters.
             match self.names.entry(fingerprint(&stem.to_lowercase(), "name")) {
