@@ -4,7 +4,7 @@ use std::mem::Discriminant;
 use std::sync::Arc;
 
 use crate::scene::Scene;
-use crate::trace::{Event, Voice, growth, step, taken, told};
+use crate::trace::{Event, Voice, growth, so_far, step, taken, told};
 
 use super::cue::{Cue, Teller};
 use super::describe::Account;
@@ -76,7 +76,9 @@ impl Told {
                 let may_be_the_end = matches!(event, Event::CandidateImproved { .. });
                 let search = || told::Search::of(run.events());
                 let end = may_be_the_end.then(search).and_then(|search| search.end(event, voice));
-                let said = || step::sentence_of_part(event, cue.part, voice);
+                let so_far = || so_far::sentence(&run.trace.events[..cue.event], event, voice);
+                let own = || step::sentence_of_part(event, cue.part, voice);
+                let said = || [Some(own()), so_far()].into_iter().flatten().collect::<Vec<_>>().join(" ");
                 let advanced = || advanced((run, event), (cue, all_cues), voice);
                 tell(title, end.or_else(advanced).unwrap_or_else(said))
             }

@@ -16,7 +16,8 @@ pub(crate) use foreign::of_language;
 pub(crate) use foreign::{bring_texts, text};
 pub use json::{HEADER, VALUES, json_lines};
 pub(crate) use story::{
-    Hand, TOLD, USUAL, Voice, WHOLE, all_phrases, growth, place, script, sentence_in, step, taken, told,
+    Hand, TOLD, USUAL, Voice, WHOLE, all_phrases, growth, place, script, sentence_in, so_far, step, taken,
+    told,
 };
 pub use story::{sentence, story};
 #[cfg(test)]

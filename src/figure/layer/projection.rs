@@ -127,12 +127,18 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     if options.number("axis").is_some() {
         return;
     }
-    // Only the axis that decides stays: each other goes when the next one is tested.
+    // Only the axis that decides stays: each other goes when the next one is tested, and the best so far when
+    // it is no longer that.
     let run = context.run();
     let all: Vec<(Cue, Tested)> = run.cues(told).take(MOST_PASSING).collect();
-    let ends = all.iter().skip(1).map(|(cue, _)| *cue).chain([run.end()]);
-    for ((from, other), to) in all.iter().zip(ends) {
-        if (other.n, other.source) != (t.n, t.source) && *from != to {
+    let is_the_one = |other: &Tested| (other.n, other.source) == (t.n, t.source);
+    let mut best = f64::NEG_INFINITY;
+    for (i, (from, other)) in all.iter().enumerate() {
+        let is_best = !other.is_behind() && other.gap > best;
+        best = if is_best { other.gap } else { best };
+        let ends = |next: &Tested| !is_best || is_the_one(next) || !next.is_behind() && next.gap > best;
+        let to = all[i + 1..].iter().find(|(_, next)| ends(next)).map_or(run.end(), |(cue, _)| *cue);
+        if !is_the_one(other) && *from != to {
             sketch.passing([*from, to], |sketch| draw_axis(sketch, (context, options), other));
         }
     }

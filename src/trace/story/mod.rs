@@ -11,6 +11,7 @@ mod hand;
 mod motion;
 mod phrases;
 mod place;
+pub(crate) mod so_far;
 pub(crate) mod step;
 pub(crate) mod taken;
 #[cfg(test)]

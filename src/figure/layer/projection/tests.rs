@@ -1,7 +1,7 @@
 //! What is drawn of an axis of the separating-axis test.
 
 use crate::figure::layer::tests::{labels, lines, paths, points};
-use crate::figure::{draw, plan};
+use crate::figure::{draw, draw_in_steps, plan};
 use crate::geometry::DVec2;
 use crate::scene::open_text;
 use crate::trace::Event;
@@ -37,6 +37,31 @@ fn the_axis_reaches_the_shadow_of_the_origin_where_that_is_in_view() {
         let axis = lines(&figure, "axis")[0] / figure.panels[0].frame.scale;
         assert_eq!(axis > 9.0, reaches, "from {from}: {axis}");
     }
+}
+
+#[test]
+fn the_least_overlap_so_far_stays_until_one_is_less_and_others_go_with_the_next() {
+    let text = "shapes.A = { kind = 'box', half_extents = [1, 2] }
+        shapes.B = { kind = 'polygon', vertices = [[-2.5, -0.5], [4, -1], [4, 4]], position = [0.9, 0.5] }
+        query = { kind = 'separation', of = ['A', 'B'], algorithm = 'separating-axes' }
+        panels = [{ layers = ['shapes', 'projection'] }]";
+    let scene = open_text("axes", text).unwrap().scene;
+    let plan = plan(&scene).unwrap();
+    let drawing = draw_in_steps(&plan, plan.theme, "axes").drawing;
+    let gaps: Vec<f64> = plan.own_run().events().filter_map(crate::trace::so_far::gap).collect();
+    let axes: Vec<usize> =
+        (1..=drawing.steps.len()).map(|k| paths(&drawing.at_step(k).items, "edge").len() / 2).collect();
+    let least = |tested: usize| gaps[..tested].iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    // An edge has two paths. The best of all those that were tested, and the last one where that is another.
+    let shown = |k: usize| if k == 0 { 0 } else { 1 + usize::from(gaps[k - 1] < least(k)) };
+    let expected: Vec<usize> = (0..=gaps.len()).map(shown).chain([1]).collect();
+    assert_eq!(axes, expected, "{gaps:?}");
+    assert!(expected.contains(&2), "{gaps:?}");
+    let is_less = |k: &usize| drawing.steps[*k].sentences.concat().ends_with("least overlap so far.");
+    let less: Vec<usize> = (0..drawing.steps.len()).filter(is_less).collect();
+    let falls: Vec<usize> = (2..=gaps.len()).filter(|&k| least(k) > least(k - 1)).collect();
+    assert_eq!(less, falls, "{gaps:?}");
+    assert!(!falls.is_empty(), "{gaps:?}");
 }
 
 #[test]

@@ -190,6 +190,26 @@ phrases! {
         "Pasos intermedios: *.";
     /// No step follows.
     STOPS: "It stops here.", "Hier ist Schluss.", "Fin des étapes.", "Aquí se detiene.";
+    /// No axis before has less overlap.
+    LESS_SO_FAR: "It is the least overlap so far.",
+        "Es ist die bisher kleinste Überlappung.",
+        "C’est le plus petit recouvrement jusqu’ici.",
+        "Es el menor solape hasta ahora.";
+    /// One before has: how much, edge or vertex, body.
+    STILL_LEAST: "The least overlap so far remains *, by * of *.",
+        "Die bisher kleinste Überlappung bleibt *, durch * von *.",
+        "Le plus petit recouvrement jusqu’ici reste * (* de *).",
+        "El menor solape hasta ahora sigue siendo * (* de *).";
+    /// No axis before has a larger gap.
+    MORE_SO_FAR: "It is the largest gap so far.",
+        "Es ist die bisher größte Lücke.",
+        "C’est le plus grand écart jusqu’ici.",
+        "Es el mayor hueco hasta ahora.";
+    /// One before has: how large, edge or vertex, body.
+    STILL_LARGEST: "The largest gap so far remains *, by * of *.",
+        "Die bisher größte Lücke bleibt *, durch * von *.",
+        "Le plus grand écart jusqu’ici reste * (* de *).",
+        "El mayor hueco hasta ahora sigue siendo * (* de *).";
     /// The vertex on the left: body, vertex.
     IS_LEFTMOST: "The leftmost of * is *.",
         "Ganz links in * liegt *.",
