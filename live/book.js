@@ -5,7 +5,7 @@ const near = new IntersectionObserver((seen) => {
     for (const { isIntersecting, target: root } of seen) {
         if (!isIntersecting) continue;
         near.unobserve(root);
-        Figure.start(root, false).catch((error) => (root.dataset.live = `no: ${error.message}`));
+        enliven(root, false);
     }
 }, { rootMargin: "100%" });
 

@@ -139,3 +139,11 @@ class Edited {
         if (parts.length > 0) this.settleNow();
     }
 }
+
+// Makes a figure of the page live. Where it can't be the picture stays, and the author finds the reason.
+function enliven(root, alone) {
+    Figure.start(root, alone).catch((error) => {
+        root.dataset.live = `no: ${error.message}`;
+        console.warn(`tracefig: this figure does not move: ${error.message}`);
+    });
+}

@@ -2,5 +2,5 @@
 
 const figures = [...document.querySelectorAll(".tracefig-live")];
 for (const root of figures) {
-    Figure.start(root, figures.length === 1).catch((error) => (root.dataset.live = `no: ${error.message}`));
+    enliven(root, figures.length === 1);
 }

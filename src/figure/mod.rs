@@ -78,7 +78,7 @@ mod words_in_steps;
 #[cfg(test)]
 use crate::scene::Scene;
 #[cfg(test)]
-use layer::{LAYERS, Shows};
+pub(crate) use layer::{LAYERS, Shows};
 
 pub use askers::askers;
 pub(crate) use describe::Account;

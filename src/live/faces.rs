@@ -15,9 +15,10 @@ mod whole {
 
     use serde_json::{Map, Value, json};
 
+    use crate::figure::{draw, plan};
     use crate::output::base64;
     use crate::scene::SceneFile;
-    use crate::typeset::{Glyphs, beyond};
+    use crate::typeset::{Glyphs, beyond, said};
 
     use super::super::texts::foreign_texts;
 
@@ -59,14 +60,21 @@ mod whole {
         (!faces.is_empty()).then_some(Value::Object(faces))
     }
 
-    /// The glyphs that a scene and the texts of its language need.
+    /// The glyphs that a scene and the texts of its language need, with those that its layers write of their
+    /// options.
     pub(super) fn needed(file: &SceneFile) -> Glyphs {
         let (scene, foreign) = (file.json_value(), foreign_texts(file).unwrap_or_default());
+        let drawn = said(|| {
+            if let Ok(plan) = plan(&file.scene) {
+                let _ = draw(&plan, plan.theme, "f");
+            }
+        });
         let (mut own, mut ours) = (Vec::new(), Vec::new());
         texts(&scene, &mut own);
         texts(&foreign, &mut ours);
         let letters: BTreeSet<char> = ours.iter().flat_map(|text| text.chars()).collect();
-        Glyphs::of(own.into_iter(), &letters.into_iter().collect::<String>())
+        let set = drawn.iter().map(String::as_str);
+        Glyphs::of(own.into_iter(), set, &letters.into_iter().collect::<String>())
     }
 }
 
@@ -93,11 +101,11 @@ mod tests {
 
     use super::whole::needed;
     use super::{bring_all, more_glyphs};
-    use crate::figure::{draw, plan};
+    use crate::figure::{LAYERS, Shows, Takes, draw, plan};
     use crate::geometry::DVec2;
     use crate::output::of_base64;
     use crate::scene::{PROJECT_FILE, SceneFile, open, open_text};
-    use crate::typeset::{SAID, beyond};
+    use crate::typeset::{beyond, said};
 
     /// The scenes of a folder of this repository.
     fn scenes(folder: &str) -> Vec<SceneFile> {
@@ -115,19 +123,18 @@ mod tests {
     fn lacking(file: &SceneFile, r: &mut Random) -> BTreeSet<String> {
         let needed = needed(file);
         let mut scene = file.scene.clone();
-        SAID.with_borrow_mut(BTreeSet::clear);
-        for _ in 0..2 {
-            if let Ok(plan) = plan(&scene) {
-                let _ = draw(&plan, plan.theme, "f");
+        let said = said(|| {
+            for _ in 0..2 {
+                if let Ok(plan) = plan(&scene) {
+                    let _ = draw(&plan, plan.theme, "f");
+                }
+                for (_, body) in &mut scene.shapes {
+                    let mut far = || r.between(-1.0, 1.0) * [0.1, 1.0, 10.0][r.below(3)];
+                    body.position += DVec2::new(far(), far());
+                    body.velocity *= far();
+                }
             }
-            for (_, body) in &mut scene.shapes {
-                let mut far = || r.between(-1.0, 1.0) * [0.1, 1.0, 10.0][r.below(3)];
-                body.position += DVec2::new(far(), far());
-                body.velocity *= far();
-            }
-        }
-        let said = SAID.take();
-        assert!(!said.is_empty());
+        });
         let lacks = |text: &String| {
             crate::typeset::lacking(&needed, text).map(|glyph| format!("{glyph} in `{text}`"))
         };
@@ -145,6 +152,47 @@ mod tests {
                 assert!(lacking.is_empty(), "{} in {lang}: {lacking:#?}", file.source.name);
             }
         }
+    }
+
+    /// Values of an option in TOML.
+    fn values(takes: Takes) -> Vec<String> {
+        let quoted = |words: &[&str]| words.iter().map(|word| format!("'{word}'")).collect();
+        match takes {
+            Takes::Flag => vec!["true".to_owned()],
+            Takes::Number | Takes::Positive => ["0.25", "0.5", "1", "3"].map(str::to_owned).to_vec(),
+            Takes::Counts => vec!["1".to_owned()],
+            Takes::Word(words) | Takes::Words(words) | Takes::When(words) => quoted(words),
+            Takes::Point | Takes::Bodies | Takes::Role | Takes::Lines => Vec::new(),
+        }
+    }
+
+    #[test]
+    fn a_page_brings_what_each_option_of_a_layer_makes_it_say() {
+        let bodies = "shapes.A = { kind = 'polygon', vertices = [[-2, -1], [1, -2], [2, 1]],
+                velocity = [6, 2], angular_velocity_deg = 40 }
+            shapes.B = { kind = 'regular-polygon', edges = 5, circumradius = 1.5, radius = 0.2,
+                position = [5, 2], velocity = [-1, 0] }";
+        let questions = ["separation", "overlap", "time-of-impact", "contact", "linear-sweep"];
+        let (mut r, mut drawn) = (Random::new(26), 0);
+        let options = LAYERS.iter().flat_map(|layer| layer.options.iter().map(move |option| (layer, option)));
+        for (layer, option) in options {
+            for (value, question) in values(option.takes).iter().flat_map(|v| questions.map(|q| (v, q))) {
+                let space = if layer.shows == Shows::Configuration { "configuration" } else { "world" };
+                let turns = matches!(question, "time-of-impact" | "contact");
+                let bodies =
+                    if turns { bodies.to_owned() } else { bodies.replace("angular_velocity_deg = 40", "") };
+                let text = format!(
+                    "{bodies}\nquery = {{ kind = '{question}', of = ['A', 'B'] }}
+                    panels = [{{ space = '{space}', layers = [{{ layer = '{}', {} = {value} }}] }}]",
+                    layer.name, option.name
+                );
+                let Ok(file) = open_text("s.toml", &text) else { continue };
+                drawn += usize::from(plan(&file.scene).is_ok());
+                let lacking = lacking(&file, &mut r);
+                assert!(lacking.is_empty(), "{lacking:#?} of\n{text}");
+            }
+        }
+        assert!(drawn > 300, "{drawn}");
     }
 
     /// How many bytes of each face a page brings with a caption.

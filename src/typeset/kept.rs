@@ -5,6 +5,8 @@
 //! style, so no run can tell the difference; and it is bounded.
 
 use std::cell::RefCell;
+#[cfg(not(tracefig_page))]
+use std::collections::BTreeSet;
 use std::collections::HashMap;
 use std::rc::Rc;
 use std::sync::Arc;
@@ -48,11 +50,19 @@ struct Texts {
     glyphs: usize,
 }
 
-// All texts that tests of this thread have set, drawn in the end or not.
-#[cfg(test)]
-thread_local! { pub(crate) static SAID: RefCell<std::collections::BTreeSet<String>> = RefCell::default(); }
+// All texts that this thread sets while someone listens, drawn in the end or not.
+#[cfg(not(tracefig_page))]
+thread_local! { static SAID: RefCell<Option<BTreeSet<String>>> = const { RefCell::new(None) }; }
 
 thread_local! { static TEXTS: RefCell<Texts> = RefCell::default(); }
+
+/// Every text that is set while something is done, drawn in the end or not.
+#[cfg(not(tracefig_page))]
+pub(crate) fn said(act: impl FnOnce()) -> BTreeSet<String> {
+    SAID.set(Some(BTreeSet::new()));
+    act();
+    SAID.take().unwrap_or_default()
+}
 
 /// Sets `markup` to be broken into lines, as [`wrap`](super::wrap) breaks it.
 pub(crate) fn paragraph(markup: &str, style: Style) -> Result<Rc<Kept>, TypesetError> {
@@ -88,8 +98,8 @@ impl Kept {
 
 /// A text, set now or before.
 fn kept(markup: &str, style: Style, newlines: Newlines) -> Result<Rc<Kept>, TypesetError> {
-    #[cfg(test)]
-    SAID.with_borrow_mut(|said| said.insert(markup.to_owned()));
+    #[cfg(not(tracefig_page))]
+    SAID.with_borrow_mut(|said| said.as_mut().map(|said| said.insert(markup.to_owned())));
     let is_semibold = style.weight == Weight::Semibold;
     let key = Key { markup: markup.to_owned(), size: style.size.to_bits(), is_semibold, newlines };
     TEXTS.with_borrow_mut(|texts| {

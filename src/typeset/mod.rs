@@ -40,8 +40,8 @@ pub(crate) use beyond::beyond;
 pub(crate) use beyond::lacking;
 pub(crate) use brought::{NAMES as PACKED, bring};
 pub(crate) use inner_words::{escaped, group};
-#[cfg(test)]
-pub(crate) use kept::SAID;
+#[cfg(not(tracefig_page))]
+pub(crate) use kept::said;
 pub(crate) use kept::{line, paragraph};
 pub(crate) use markup::{Piece, as_markup, ends_in_formula, pieces};
 #[cfg(not(tracefig_page))]

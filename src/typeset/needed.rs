@@ -26,11 +26,16 @@ pub(crate) struct Glyphs {
 }
 
 impl Glyphs {
-    /// What these texts need, markup and parts of it, and these characters among words. A text that is no
-    /// markup may be a part of one, so that each of its characters counts.
-    pub(crate) fn of<'t>(texts: impl Iterator<Item = &'t str>, characters: &str) -> Self {
+    /// What these texts need, markup and parts of it, these that are `set` as they are, and these characters
+    /// among words. A text that is no markup may be a part of one, so that each of its characters counts.
+    pub(crate) fn of<'t>(
+        texts: impl Iterator<Item = &'t str>,
+        set: impl Iterator<Item = &'t str>,
+        characters: &str,
+    ) -> Self {
         let mut needed = Self::default();
         texts.for_each(|text| needed.take_somehow(text));
+        set.for_each(|text| needed.take(text));
         characters.chars().for_each(|character| needed.take_character(character));
         needed.grow();
         needed

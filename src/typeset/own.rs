@@ -14,7 +14,7 @@ const WORDS: &str = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456
 /// What stands below them is also what most scenes put there, as `d_{t = 0.5}` and `E_h`. All small letters,
 /// and all of them in scripts, would be 4.3 kB of the face where these are 1.9, and most pages need none.
 const FORMULAS: [&str; 7] = [
-    r"0123456789 = + - ( ) [ ] | , {,} ; . : / ' ° \| \cdot \times \approx \le \ge \ominus \ldots",
+    r"0123456789 = < > + - ( ) [ ] | , {,} ; . : / ' ° \| \cdot \times \approx \le \ge \ominus \ldots",
     r"a b c d e h i m n o p q r s t u v w x y A B D E I L N O P R V \theta \omega",
     r"t_{0123456789 -,aceinqxy} A_{A''}'' B_{B''} a_{a''} b_{b''}",
     r"x_{dhmpt E = . ( )}",

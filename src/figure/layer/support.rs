@@ -81,7 +81,7 @@ fn fed(context: &Context, options: &Options) -> Fed {
     let is_joint = *context.space == Space::Configuration;
     match supports(context) {
         None => Fed::not_here(NO_EDGE),
-        Some(_) if NOTES && is_joint && !aligned() => Fed::NotHere("no edges face each other"),
+        Some(_) if is_joint && !aligned() => Fed::not_here("no edges face each other"),
         Some(_) if NOTES && options.flag("lengths", false) && !aligned() => {
             Fed::Without { option: "lengths", why: "no edges face each other" }
         }

@@ -42,7 +42,9 @@ pub(super) fn candidates(sought: &Sought, things: &Things, frame: &Frame, w: &Pl
         let more = fold.map_or(0.0, |fold| fold.reluctance(w));
         let found = offered(&sought.anchor, sought.size(folds), things, frame, w);
         let found = found.into_iter().map(|c| Candidate { folds, reluctance: c.reluctance + more, ..c });
-        all.extend(led(found.map(|c| kept_in(c, &frame.panel, w)), things, w));
+        let kept =
+            |c: Candidate| [kept_in(&c, &frame.panel, w), nearly_fits(&c, &frame.panel, w).then_some(c)];
+        all.extend(led(found.flat_map(kept).flatten(), things, w));
     }
     if all.is_empty() { around(frame.panel.center(), 0.0, None, size, w) } else { all }
 }
@@ -85,16 +87,21 @@ fn offered(anchor: &Anchor, size: (f64, f64), things: &Things, frame: &Frame, w:
     }
 }
 
-/// A place that reaches far over the panel's edge, moved to lie within.
-fn kept_in(place: Candidate, panel: &Rect, w: &Places) -> Candidate {
-    let wide = panel.grown(w.gap);
-    if wide.union(place.rect) == wide {
-        return place;
+/// A place that reaches over the panel's edge, moved to lie within; `None` of another one.
+fn kept_in(place: &Candidate, panel: &Rect, w: &Places) -> Option<Candidate> {
+    if panel.union(place.rect) == *panel {
+        return None;
     }
     let by = way_into(&place.rect, panel);
     let Rect { x0, y0, x1, y1 } = place.rect;
     let rect = Rect::new(Point::new(x0, y0) + by, Point::new(x1, y1) + by);
-    Candidate { rect, reluctance: place.reluctance + w.kept_in * by.length(), ..place }
+    Some(Candidate { rect, reluctance: place.reluctance + w.kept_in * by.length(), ..*place })
+}
+
+/// Whether a place reaches over the panel's edge by no more than a label's room.
+fn nearly_fits(place: &Candidate, panel: &Rect, w: &Places) -> bool {
+    let wide = panel.grown(w.gap);
+    wide.union(place.rect) == wide
 }
 
 /// Whether anything of what a label belongs to lies in its panel; what the view cuts off has no label, and

@@ -85,7 +85,11 @@ impl Digits {
                 return p;
             }
         }
-        let [lo, hi] = [lo, hi].map(|end| self.whole(end, end).unwrap_or_else(|| self.written(end, most)));
+        // Both hold what lies between them.
+        let [lo, hi] = [(lo, -1.0), (hi, 1.0)].map(|(end, side)| {
+            let all = self.whole(end, end).unwrap_or_else(|| self.written(end, most));
+            if lacks(&all, end, side) { self.beyond(end, side) } else { all }
+        });
         format!("{lo}…{hi}")
     }
 
@@ -118,15 +122,17 @@ impl Digits {
     /// The nearest number of so many digits, or its neighbour where that one lies on the other side.
     fn to_a_side(self, value: f64, side: f64) -> String {
         let nearest = self.of(value, value);
-        let lacks = |text: &str| read(text).is_some_and(|n| side * (value - n) > NOTHING * value.abs());
-        if !lacks(&nearest) {
+        if !lacks(&nearest, value, side) {
             return nearest;
         }
         // Beside what it bounds, 20.9, a bound of 20.944 would look larger as 21.0.
         let more = (usual(value) + 1..=WHOLE).map(|digits| in_digits(value, digits, Zeros::Kept));
-        if let Some(alike) = more.filter(|_| self == Self::Usual).find(|text| !lacks(text)) {
-            return alike;
-        }
+        let alike = more.filter(|_| self == Self::Usual).find(|text| !lacks(text, value, side));
+        alike.unwrap_or_else(|| self.beyond(value, side))
+    }
+
+    /// The neighbour of the nearest number of so many digits, where that one lies on the other side.
+    fn beyond(self, value: f64, side: f64) -> String {
         let last = match self {
             Self::Significant(digits) => exponent(value) + 1 - exponent_of(digits.min(MOST)),
             Self::Usual => exponent(value) + 1 - exponent_of(usual(value)),
@@ -149,6 +155,11 @@ impl Digits {
             Self::Usual => in_digits(value, digits, Zeros::Kept),
         }
     }
+}
+
+/// Whether a text says less than a value, or more where `side` is -1, by more than rounding.
+fn lacks(text: &str, value: f64, side: f64) -> bool {
+    read(text).is_some_and(|number| side * (value - number) > NOTHING * value.abs())
 }
 
 /// The decimal exponent of a double; 0 of 0.

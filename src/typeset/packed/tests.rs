@@ -133,7 +133,7 @@ fn packed_formulas_say_what_the_whole_face_says_of_them() {
         r"$\widehat{xyz}$",
         r"$\overrightarrow{abcde}$",
     ];
-    let more = Glyphs::of(texts.into_iter(), "");
+    let more = Glyphs::of(texts.into_iter(), std::iter::empty(), "");
     let pieces = [formulas(&BTreeSet::new(), &own().formulas), formulas(&own().formulas, &more.formulas)];
     let all = &own().formulas | &more.formulas;
     for (pieces, glyphs) in [(&pieces[..1], &own().formulas), (&pieces[..], &all)] {
