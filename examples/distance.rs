@@ -21,7 +21,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (kind, tolerance, max_iterations) = (QueryKind::Separation, 0.0, 100);
     let query = Query { kind, a: &crate_, b: Some(&ball), time: 0.0, tolerance, max_iterations };
     let algorithm = ALGORITHMS.iter().find(|algorithm| algorithm.takes(&query)).ok_or("nobody answers it")?;
-    if let Answer::Separation(found) = algorithm.answer(&query) {
+    if let Some(Answer::Separation(found)) = algorithm.answer(&query) {
         println!("{} says {} apart,", algorithm.name, found.separation);
         println!("proved between {} and {},", found.bounds.lo, found.bounds.hi);
         println!("along {} between {} and {}", *found.normal, found.points[0], found.points[1]);

@@ -19,7 +19,8 @@
 //! let plank = Body { angle: Angle::Degrees(30.0), ..Body::at_rest(plank, DVec2::new(4.0, 0.5)) };
 //! let mut scene = Scene::asking(QueryKind::Separation, &[("ball", ball), ("plank", plank)])
 //!     .map_err(Refused::from)?;
-//! let (answer, trace) = scene.query().algorithm.answer_traced(&scene.query_of_bodies());
+//! let answered = scene.query().algorithm.answer_traced(&scene.query_of_bodies());
+//! let (answer, trace) = answered.ok_or("not taken")?;
 //! let Answer::Separation(found) = answer else { unreachable!("as was asked") };
 //! assert!(found.bounds.lo <= found.separation && found.separation <= found.bounds.hi);
 //! assert!(!trace.events.is_empty());

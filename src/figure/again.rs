@@ -101,7 +101,7 @@ mod tests {
         let scene = open_text("s", &text).unwrap().scene;
         let query = scene.query_at(0.0);
         let swept = ALGORITHMS.iter().find(|algorithm| algorithm.name == "swept-axis").unwrap();
-        let closest = closest_approach(&query, &swept.answer(&query)).unwrap();
+        let closest = closest_approach(&query, &swept.ask(&query)).unwrap();
         nearest(&scene, closest.time, closest.bounds.hi)
     }
 

@@ -34,6 +34,11 @@ phrases! {
         "Wie weit kann sich ein Punkt von * bewegen?",
         "De combien un point de * peut-il se déplacer ?",
         "¿Cuánto puede moverse un punto de *?";
+    /// For one of two bodies.
+    NEARER: "By how much can points of * come nearer to each other?",
+        "Um wie viel können sich Punkte von * einander nähern?",
+        "De combien des points de * peuvent-ils se rapprocher ?",
+        "¿Cuánto pueden acercarse puntos de *?";
     /// Who answers: its name, and the moment where that is asked about.
     BY: "Algorithm: *.", "Algorithmus: *.", "Algorithme : *.", "Algoritmo: *.";
 }
@@ -49,6 +54,7 @@ pub(super) fn sentences(scene: &Scene, event: &Event, voice: Voice) -> Vec<Strin
         QueryKind::Separation => &SEPARATION,
         QueryKind::Contact => &CONTACT,
         QueryKind::LinearSweep | QueryKind::TimeOfImpact => &FIRST,
+        QueryKind::MotionBound if scene.query.of.len() > 1 => &NEARER,
         QueryKind::MotionBound => &FARTHEST,
     };
     let mut bodies = scene.query.of.iter().filter_map(|&i| scene.shapes.get(i));

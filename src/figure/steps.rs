@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 use std::ops::Range;
 
+use crate::collision::Answer;
 use crate::drawing::{Group, Item, Path, Step, Text};
 use crate::geometry::sort_by;
 use crate::scene::{NOTES, Scene, StepWords};
@@ -164,10 +165,12 @@ fn first((scene, voice): (&Scene, Voice), runs: &[std::sync::Arc<Run>]) -> Step 
     })
 }
 
-/// What the figure's own run came to, where no mark comes with that: its last step says it.
+/// What the figure's own run came to, where no mark comes with that: its last step says it. A bound on a
+/// motion is the sum of what its events tell.
 fn untold(of: (&Scene, Voice), runs: &[std::sync::Arc<Run>], cues: &[Cue]) -> Option<String> {
     let is_end = |event: &Event| matches!(event, Event::Finished { .. });
-    let own = runs.iter().find(|run| run.is_own() && run.events().any(is_end))?;
+    let is_sum = |run: &Run| matches!(run.answer, Answer::MotionBound(_));
+    let own = runs.iter().find(|run| run.is_own() && (is_sum(run) || run.events().any(is_end)))?;
     let is_told = cues.iter().any(|cue| own.event_of(cue).is_some_and(is_end));
     (!is_told).then(|| result(of, runs, own))
 }

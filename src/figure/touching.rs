@@ -101,9 +101,7 @@ mod tests {
     fn found(text: &str) -> Touching {
         let scene = open_text("hit", text).unwrap().scene;
         let query = scene.query_at(0.0);
-        let crate::collision::Answer::Impact(impact) = scene.query().algorithm.answer(&query) else {
-            panic!()
-        };
+        let crate::collision::Answer::Impact(impact) = scene.query().algorithm.ask(&query) else { panic!() };
         let Outcome::Hit { time, contact } = impact.outcome else { panic!("{impact:?}") };
         touching([query.a, query.b.unwrap()], time, &contact)
     }

@@ -99,6 +99,19 @@ impl Body {
         }
     }
 
+    /// Whether its place, its motion and its radius are finite numbers.
+    #[inline]
+    pub(crate) fn is_finite(&self) -> bool {
+        let turns = [self.angle, self.spin].iter().all(|angle| angle.is_finite());
+        self.position.is_finite() && self.velocity.is_finite() && turns && self.shape.radius.is_finite()
+    }
+
+    /// Whether queries about pairs take it: it is convex, and its numbers are finite.
+    #[inline]
+    pub(crate) fn can_touch(&self) -> bool {
+        !self.shape.core.is_empty() && self.is_finite()
+    }
+
     /// Whether it has a velocity or a spin.
     #[inline]
     pub(crate) fn moves(&self) -> bool {

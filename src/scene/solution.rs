@@ -34,7 +34,7 @@ impl Solution {
     /// ```
     #[must_use]
     pub fn of(scene: &Scene) -> Self {
-        Self::told(scene, scene.query.algorithm.answer(&scene.query_of_bodies()))
+        Self::told(scene, scene.query.algorithm.ask(&scene.query_of_bodies()))
     }
 
     /// What follows from an answer to the scene's question that is known.

@@ -62,7 +62,7 @@ impl Reply {
 /// ```
 #[must_use]
 pub fn solve(scene: &Scene) -> Answer {
-    scene.query.algorithm.answer(&scene.query_of_bodies())
+    scene.query.algorithm.ask(&scene.query_of_bodies())
 }
 
 /// Answers one line of a JSONL stream; `line` counts from 1.

@@ -75,7 +75,7 @@ use crate::trace::Trace;
 /// assert_eq!(impact.outcome.word(), "hit");
 /// assert!(matches!(trace.events.last(), Some(Event::Finished { outcome: "hit" })));
 /// // Listening changes nothing, and nor does having placed the bodies beforehand.
-/// assert_eq!(answer, ray_cast.answer(&query));
+/// assert_eq!(Some(&answer), ray_cast.answer(&query).as_ref());
 /// let ready = ray_cast.ready.unwrap()(&query);
 /// assert_eq!(answer, ready());
 /// ```
@@ -115,25 +115,27 @@ pub enum Stops {
 }
 
 impl Algorithm {
-    /// Answers a query that it takes, and keeps what it did.
+    /// Answers a query, and keeps what it did; `None` where it does not [take](Self::takes) that.
     ///
     /// ```
     /// use tracefig::{scene::open_text, trace::Event};
     /// let text = "[shapes.A]\nkind = 'circle'\nradius = 2\n[query]\nkind = 'bounds'\nof = ['A']";
     /// let scene = open_text("s.toml", text)?.scene;
-    /// let (answer, trace) = scene.query().algorithm.answer_traced(&scene.query_of_bodies());
+    /// let (answer, trace) = scene.query().algorithm.answer_traced(&scene.query_of_bodies()).unwrap();
     /// assert_eq!(answer, tracefig::solve(&scene));
     /// assert!(trace.events.iter().any(|event| matches!(event, Event::BoundsFound { .. })));
     /// # Ok::<(), Box<tracefig::Refused>>(())
     /// ```
     #[must_use]
-    pub fn answer_traced(&self, query: &Query) -> (Answer, Trace) {
-        let mut trace = Trace::default();
-        let answer = (self.traced)(query, &mut trace);
-        (answer, trace)
+    pub fn answer_traced(&self, query: &Query) -> Option<(Answer, Trace)> {
+        self.takes(query).then(|| {
+            let mut trace = Trace::default();
+            let answer = (self.traced)(query, &mut trace);
+            (answer, trace)
+        })
     }
 
-    /// Answers a query that it takes, without a trace.
+    /// Answers a query without a trace; `None` where it does not [take](Self::takes) that.
     ///
     /// ```
     /// use tracefig::collision::{ALGORITHMS, Answer, Query, QueryKind};
@@ -146,18 +148,26 @@ impl Algorithm {
     ///     kind: QueryKind::Bounds, a: &body, b: None, time: 0.0, tolerance: 0.0, max_iterations: 1,
     /// };
     /// let extremes = ALGORITHMS.iter().find(|algorithm| algorithm.takes(&query)).unwrap();
-    /// let Answer::Bounds(found) = extremes.answer(&query) else { panic!() };
+    /// let Some(Answer::Bounds(found)) = extremes.answer(&query) else { panic!() };
     /// assert_eq!((found.min, found.max), (DVec2::new(1.5, 0.5), DVec2::new(2.5, 1.5)));
+    /// // It knows no distances.
+    /// assert_eq!(extremes.answer(&Query { kind: QueryKind::Separation, b: Some(&body), ..query }), None);
     /// ```
     #[must_use]
-    pub fn answer(&self, query: &Query) -> Answer {
+    pub fn answer(&self, query: &Query) -> Option<Answer> {
+        self.takes(query).then(|| self.ask(query))
+    }
+
+    /// Answers a query that it takes.
+    pub(crate) fn ask(&self, query: &Query) -> Answer {
         #[cfg(not(tracefig_page))]
         return (self.quiet)(query, &mut NoTrace);
         #[cfg(tracefig_page)]
         return (self.traced)(query, &mut Trace::default());
     }
 
-    /// Whether it answers this kind of question about these bodies.
+    /// Whether it answers this kind of question about these bodies, whose numbers must be finite, at a finite
+    /// time and with a tolerance that is not negative.
     ///
     /// ```
     /// use tracefig::collision::{ALGORITHMS, Query, QueryKind};
@@ -174,7 +184,30 @@ impl Algorithm {
     /// ```
     #[must_use]
     pub fn takes(&self, query: &Query) -> bool {
-        self.kinds.contains(&query.kind) && (self.shapes)(query).is_ok()
+        self.kinds.contains(&query.kind) && (self.shapes)(query).is_ok() && query.is_finite()
+    }
+}
+
+impl Query<'_> {
+    /// The answer of the first algorithm that takes it, in world units; `None` where none does, as with
+    /// numbers that are not finite.
+    ///
+    /// ```
+    /// use tracefig::collision::{Answer, Query, QueryKind};
+    /// use tracefig::geometry::{Body, DVec2, Shape};
+    /// let ball = |x| Body::at_rest(Shape::circle(1.0).unwrap(), DVec2::new(x, 0.0));
+    /// let apart = |x| {
+    ///     let (kind, a, b) = (QueryKind::Separation, ball(0.0), ball(x));
+    ///     match (Query { kind, a: &a, b: Some(&b), time: 0.0, tolerance: 0.0, max_iterations: 100 }).answer()? {
+    ///         Answer::Separation(found) => Some(found.separation),
+    ///         _ => None,
+    ///     }
+    /// };
+    /// assert_eq!([apart(5.0), apart(1.5), apart(f64::NAN)], [Some(3.0), Some(-0.5), None]);
+    /// ```
+    #[must_use]
+    pub fn answer(&self) -> Option<Answer> {
+        ALGORITHMS.iter().find(|algorithm| algorithm.takes(self)).map(|algorithm| algorithm.ask(self))
     }
 }
 

@@ -29,7 +29,7 @@ use crate::trace::{Event, Moment, Tracer};
 /// };
 /// let default = ALGORITHMS.iter().find(|algorithm| algorithm.takes(&query)).unwrap();
 /// // A passes below B a quarter of the way.
-/// let closest = closest_approach(&query, &default.answer(&query)).unwrap();
+/// let closest = closest_approach(&query, &default.answer(&query).unwrap()).unwrap();
 /// assert_eq!((closest.time, closest.contact.separation), (0.25, 1.0));
 /// assert!(closest.bounds.lo <= 1.0 && 1.0 <= closest.bounds.hi);
 /// ```

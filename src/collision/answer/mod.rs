@@ -34,7 +34,7 @@ pub use verdict::Verdict;
 /// let (a, b) = (at(0.0), at(1.75));
 /// let answer = |kind| {
 ///     let query = Query { kind, a: &a, b: Some(&b), time: 0.0, tolerance: 0.0, max_iterations: 100 };
-///     ALGORITHMS.iter().find(|algorithm| algorithm.takes(&query)).unwrap().answer(&query)
+///     ALGORITHMS.iter().find(|algorithm| algorithm.takes(&query)).unwrap().answer(&query).unwrap()
 /// };
 /// let Answer::Separation(found) = answer(QueryKind::Separation) else { panic!() };
 /// // A quarter of a unit inside each other: B leaves along +x.
@@ -94,6 +94,8 @@ pub enum Reason {
     IterationLimit,
     /// A step was too short to change the time t, a double.
     Stalled,
+    /// A body is not convex or has a number that is not finite, or the tolerance is none: in no scene.
+    NotFinite,
 }
 
 /// How a motion ends.
@@ -227,11 +229,15 @@ impl Reason {
             Self::WithinTolerance => "within-tolerance",
             Self::IterationLimit => "iteration-limit",
             Self::Stalled => "stalled",
+            Self::NotFinite => "not-finite",
         }
     }
 }
 
 impl Outcome {
+    /// Of bodies of which nothing can be said.
+    pub(super) const UNKNOWN: Self = Self::Unresolved { reason: Reason::NotFinite, free_until: 0.0 };
+
     /// What a separation at t = 0 says that is not certainly above 0.
     pub(crate) fn at_start(near: &Separation) -> Self {
         if near.bounds.hi <= 0.0 {

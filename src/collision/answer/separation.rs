@@ -22,6 +22,16 @@ pub struct Separation {
 }
 
 impl Separation {
+    /// Of bodies of which nothing can be said.
+    pub(in crate::collision) const UNKNOWN: Self = Self {
+        separation: f64::NAN,
+        bounds: Enclosure { lo: f64::NEG_INFINITY, hi: f64::INFINITY },
+        normal: UnitVector::X,
+        ties: 0,
+        points: [DVec2::NAN; 2],
+        features: [Feature::Vertex(0); 2],
+    };
+
     /// Whether the bodies share a point, touching included; None where the bounds leave it open.
     pub(super) fn overlaps(&self) -> Option<bool> {
         if self.bounds.lo > 0.0 {

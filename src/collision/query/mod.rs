@@ -155,7 +155,7 @@ impl QueryKind {
 ///     kind: QueryKind::Separation, a: &a, b: Some(&b), time: 0.0, tolerance: 0.0, max_iterations: 100,
 /// };
 /// let default = ALGORITHMS.iter().find(|algorithm| algorithm.takes(&query)).unwrap();
-/// let Answer::Separation(found) = default.answer(&query) else { panic!() };
+/// let Some(Answer::Separation(found)) = default.answer(&query) else { panic!() };
 /// // The centres are 5 apart, the radii 1 each.
 /// assert_eq!((found.separation, *found.normal), (3.0, DVec2::new(0.6, 0.8)));
 /// ```
@@ -175,4 +175,12 @@ pub struct Query<'s> {
     /// Step cap of an algorithm that iterates; reaching it is an answer,
     /// [`Reason::IterationLimit`](crate::collision::Reason::IterationLimit).
     pub max_iterations: usize,
+}
+
+impl Query<'_> {
+    /// Whether all of its numbers are, and the tolerance is not negative.
+    pub(super) fn is_finite(&self) -> bool {
+        let bodies = self.a.is_finite() && self.b.is_none_or(Body::is_finite);
+        bodies && self.time.is_finite() && self.tolerance.is_finite() && self.tolerance >= 0.0
+    }
 }

@@ -11,3 +11,4 @@ mod separation_properties;
 mod storyboard;
 mod storyboard_motion;
 mod sweep_properties;
+mod unfit;

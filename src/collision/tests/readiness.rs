@@ -34,7 +34,7 @@ fn what_stands_ready_gives_the_answer_of_a_fresh_query() {
                 let (a, b) = (still(&a), still(&b));
                 let query =
                     if algorithm.takes(&query) { query } else { Query { a: &a, b: Some(&b), ..query } };
-                let (fresh, prepared) = (algorithm.answer(&query), ready(&query));
+                let (fresh, prepared) = (algorithm.ask(&query), ready(&query));
                 let (lo, hi) = span(&fresh);
                 for _ in 0..2 {
                     let (from, to) = span(&prepared());

@@ -7,6 +7,7 @@ use std::f64::consts::TAU;
 use crate::collision::Answer;
 use crate::drawing::Role;
 use crate::figure::context::Context;
+use crate::figure::cue::Cue;
 use crate::figure::sketch::{
     Anchor, Label, MARKER, Marker, Outline, Pen, Rank, SMALL_MARKER, Size, Sketch, Wash, Weight, angle_of,
     on_circle,
@@ -163,7 +164,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let arm = nearer(context, options, &t).map(DVec2::length);
         return unrolled(sketch.since(at(turned::BOUND)), options, &t, arm);
     }
-    sketch.since(at(if sector { turned::BOUND } else { turned::ARC }));
+    let [far, turns] = [turned::FARTHEST, turned::ARC].map(at);
+    sketch.since(turns);
     let after = t.after();
     // Each of two bodies has its own.
     let is_one = context.sides().len() == 1;
@@ -172,8 +174,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let slice = Outline::sector(t.center, t.radius, t.start, t.sweep);
         sketch.part("sector").area(&slice, Some(Wash::faint(Role::Muted, SECTOR)), None);
     }
-    for end in [t.before(), after] {
-        sketch.part("radii").weight(Weight::Light).line(t.center, end, Pen::construction());
+    for (end, comes) in [(t.before(), far), (after, turns)] {
+        sketch.since(comes).part("radii").weight(Weight::Light).line(t.center, end, Pen::construction());
     }
     // The head ends at the marker's rim, not under it.
     let rim = (sketch.px(MARKER + 1.0) / t.radius).min(t.sweep.abs()).copysign(t.sweep);
@@ -185,20 +187,23 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let accent = Pen::highlighted(options.role(Role::Now));
     sketch.part("arc").arc_arrow(t.center, t.radius, t.start, t.sweep - rim, accent);
     let (role, marker) = (Role::from(t.side), if t.side == Side::A { Marker::Disc } else { Marker::Square });
+    sketch.since(far);
     if !sector {
-        as_far(sketch.since(at(turned::FARTHEST)), &t, &name);
+        as_far(sketch, &t, &name);
     }
-    sketch.part("extreme-point").marker(t.before(), marker, role, MARKER);
-    sketch.part("extreme-point").marker(after, marker, role, MARKER);
-    sketch.part("center").marker(t.center, Marker::Disc, Role::Ink, SMALL_MARKER);
+    for (point, comes) in [(t.before(), far), (after, turns)] {
+        sketch.since(comes).part("extreme-point").marker(point, marker, role, MARKER);
+    }
+    sketch.since(far).part("center").marker(t.center, Marker::Disc, Role::Ink, SMALL_MARKER);
+    sketch.since(turns);
     if options.flag("fan", false) {
         fan(sketch, &t, nearer(context, options, &t));
     }
-    points(sketch, &t, after, &name);
+    points(sketch, (&t, &name), [far, turns]);
     let arm = nearer(context, options, &t);
-    measures(sketch, options, &t, (sector, arm.is_some()));
+    measures(sketch, options, &t, (sector, arm.is_some()), [far, turns, at(turned::BOUND)]);
     if let Some(arm) = arm {
-        shorter(sketch, &t, arm, sector);
+        shorter(sketch.since(turns), &t, arm, sector);
     }
 }
 
@@ -270,11 +275,12 @@ fn as_far(sketch: &mut Sketch, t: &Turn, name: &str) {
     }
 }
 
-/// Names the extreme point before and after.
-fn points(sketch: &mut Sketch, t: &Turn, after: DVec2, name: &str) {
-    for (key, text, point) in [("p", format!("${name}$"), t.before()), ("p'", format!("${name}'$"), after)] {
+/// Names the extreme point before and after, each with what it comes with.
+fn points(sketch: &mut Sketch, (t, name): (&Turn, &str), [far, turns]: [Option<Cue>; 2]) {
+    let both = [("p", format!("${name}$"), t.before(), far), ("p'", format!("${name}'$"), t.after(), turns)];
+    for (key, text, point, comes) in both {
         let anchor = Anchor::point_toward(point, point - t.center);
-        sketch.label(Label::new(key, text, anchor, Role::Ink).rank(Rank::Point));
+        sketch.since(comes).label(Label::new(key, text, anchor, Role::Ink).rank(Rank::Point));
     }
 }
 
@@ -302,8 +308,16 @@ fn measured(sketch: &mut Sketch, t: &Turn, end: DVec2, (key, text, off): (&'stat
 }
 
 /// Names the angle and the arc, and with the sector writes its radius and the arc's length; a radius that
-/// is divided by a nearer vertex has a dimension line over its whole length.
-fn measures(sketch: &mut Sketch, options: &Options, t: &Turn, (sector, divided): (bool, bool)) {
+/// is divided by a nearer vertex has a dimension line over its whole length. Radius, angle and the sector's
+/// length come with what tells them.
+fn measures(
+    sketch: &mut Sketch,
+    options: &Options,
+    t: &Turn,
+    (sector, divided): (bool, bool),
+    [far, turns, bound]: [Option<Cue>; 3],
+) {
+    sketch.since(turns);
     let theta = if sector {
         // In radians too, by which r is multiplied.
         let (degrees, radians) = (number(t.sweep.abs().to_degrees()), number(t.sweep.abs()));
@@ -320,8 +334,10 @@ fn measures(sketch: &mut Sketch, options: &Options, t: &Turn, (sector, divided):
     if t.sweep.abs() > TAU {
         lines.push(format!("(${}$ turns)", number(t.sweep.abs() / TAU)));
     }
+    sketch.since(if sector { bound } else { turns });
     sketch.label(Label { lines, ..Label::new("L", "", path, options.role(Role::Now)) });
     if sector {
+        sketch.since(far);
         let r = format!("$r = {}$", number(t.radius));
         if divided {
             measured(sketch, t, t.before(), ("r", r, BELOW[1]));
@@ -333,55 +349,4 @@ fn measures(sketch: &mut Sketch, options: &Options, t: &Turn, (sector, divided):
 }
 
 #[cfg(test)]
-mod tests {
-    use crate::figure::layer::tests::paths;
-    use crate::figure::{draw, plan};
-    use crate::geometry::DVec2;
-    use crate::scene::open_text;
-
-    #[test]
-    fn the_circle_of_the_farthest_point_has_the_whole_body_in_it() {
-        for (spin, drawn) in [(60, true), (-60, true), (360, false)] {
-            let text = format!(
-                "shapes.A = {{ kind = 'polygon', vertices = [[-1, -1], [3, -1], [3, 4], [-1, 2]],
-                    angular_velocity_deg = {spin} }}
-                query = {{ kind = 'motion-bound', of = ['A'] }}
-                panels = [{{ view = [-6, -6, 6, 6], layers = [{{ layer = 'arc', around = true }}] }}]"
-            );
-            let scene = open_text("arc", &text).unwrap().scene;
-            let plan = plan(&scene).unwrap();
-            let figure = draw(&plan, plan.theme, "arc");
-            let circle = paths(&figure.drawing.items, "way-around");
-            assert_eq!(!circle.is_empty(), drawn, "{spin}: what its own arc has gone over is there already");
-            if let Some(bounds) = circle.first().and_then(|path| path.contour.bounds()) {
-                // (3, 4) is 5 out, and most of the circle is left.
-                let frame = &figure.panels[0].frame;
-                let px = (frame.page(DVec2::X) - frame.page(DVec2::ZERO)).length();
-                assert!((bounds.width() / px - 10.0).abs() < 0.7, "{}", bounds.width() / px);
-            }
-        }
-    }
-
-    #[test]
-    fn every_straightened_arc_of_a_fan_ends_on_one_line_whose_slope_is_the_angle() {
-        for (inner, rungs) in [("", 4), (", inner = [1.5, 2]", 3), (", inner = [0.6, 0.8]", 4)] {
-            let text = format!(
-                "shapes.A = {{ kind = 'polygon', vertices = [[-1, -1], [3, -1], [3, 4], [-1, 2]],
-                    angular_velocity_rad = 0.75 }}
-                query = {{ kind = 'motion-bound', of = ['A'] }}
-                panels = [{{ view = [-1, -2, 6, 5],
-                    layers = [{{ layer = 'arc', unrolled = true, fan = true{inner} }}] }}]"
-            );
-            let scene = open_text("fan", &text).unwrap().scene;
-            let plan = plan(&scene).unwrap();
-            let figure = draw(&plan, plan.theme, "fan");
-            let frame = &figure.panels[0].frame;
-            let fan = paths(&figure.drawing.items, "fan");
-            assert_eq!(fan.len(), rungs, "{inner}: that of q is drawn anyway");
-            for bounds in fan.iter().map(|path| path.contour.bounds().unwrap()) {
-                let radius = (bounds.x0 - frame.page(DVec2::ZERO).x) / frame.scale;
-                assert!((bounds.height() / frame.scale - 0.75 * radius).abs() < 1e-6, "{radius}");
-            }
-        }
-    }
-}
+mod tests;

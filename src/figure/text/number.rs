@@ -134,19 +134,30 @@ pub(crate) fn whole_and_parts(whole: f64, parts: &[f64], rest: f64) -> Vec<Strin
 /// written; `None` where [`MORE`] digits do not.
 #[must_use]
 pub(crate) fn bound_and_parts(bound: f64, part: f64, rest: f64) -> Option<[String; 3]> {
-    let written = |digits: Digits| [digits.at_least(bound), digits.of(part, part), digits.at_least(rest)];
-    let told = |x: f64| Digits::Significant(TOLD).of(x, x);
-    let usual = written(USUAL);
+    let usual = [USUAL.at_least(bound), USUAL.of(part, part), USUAL.at_least(rest)];
     if usual.iter().any(|text| text.contains('e')) {
         return None;
     }
+    // Where a picture has the rest rounded, that is a rounding of this one too.
+    let drawn = USUAL.of(rest, rest);
+    let half = HALF * power_of_ten(-f64::from(u32::try_from(after_point(&drawn)).unwrap_or(u32::MAX)));
+    let is_drawn = |q: f64| read(&drawn).is_some_and(|drawn| (q - drawn).abs() <= half + ROUNDING * q);
     let fewest = after_point(&usual[0]);
-    let more = (fewest..=fewest + MORE).map(|decimals| written(Digits::Decimals(decimals)));
-    std::iter::once(usual).chain(more).find(|texts| {
-        let [all, p, q] = texts.each_ref().map(|text| read(text).unwrap_or(f64::NAN));
-        // Where a picture has the rest rounded, it is the same number to the digits that both have.
-        (p + q - all).abs() <= ROUNDING * all && told(q) == told(rest)
+    (fewest..=fewest + MORE).map(Digits::Decimals).find_map(|digits| {
+        let [p, q] = [digits.of(part, part), digits.at_least(rest)];
+        let [part, rest] = [&p, &q].map(|text| read(text).unwrap_or(f64::NAN));
+        let sum = part + rest;
+        let holds = sum >= bound * (1.0 - ROUNDING) && is_drawn(rest);
+        holds.then(|| [digits.of(sum, sum), p, q].map(without_zeros))
     })
+}
+
+/// A number without zeros at its end, behind the point.
+fn without_zeros(text: String) -> String {
+    if !text.contains('.') {
+        return text;
+    }
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 /// Digits of a text after its point.

@@ -25,6 +25,13 @@ impl Angle {
     /// No angle.
     pub const ZERO: Self = Self::Degrees(0.0);
 
+    /// Whether it is a finite number.
+    #[inline]
+    pub(crate) fn is_finite(self) -> bool {
+        let (Self::Degrees(number) | Self::Radians(number)) = self;
+        number.is_finite()
+    }
+
     /// Degrees, rounded where it is in radians.
     ///
     /// ```

@@ -29,7 +29,8 @@ use super::Feature;
 use super::Hull;
 use super::Rotation;
 
-/// A shape in its body's frame.
+/// A shape in its body's frame, made by its constructors: what is set in one field alone, another one does not
+/// know of.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shape {
     /// The word for it in a scene file.
@@ -103,7 +104,7 @@ pub struct Field {
     pub name: &'static str,
     /// What it holds.
     pub holds: FieldType,
-    /// Whether a scene may leave it out.
+    /// Whether a scene must give it.
     pub required: bool,
     /// One line for `tracefig list`, with its unit.
     pub about: &'static str,

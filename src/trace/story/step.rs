@@ -192,7 +192,7 @@ pub(crate) fn sentence_of_part(event: &Event, of: usize, voice: Voice) -> String
                     voice.say(&words::FARTHEST_BY, &[&own, &voice.number(*radius), &vertex])
                 }
                 turned::ARC => voice.say(&words::TURNS, &[&own, &voice.number(*theta)]),
-                _ => voice.say(&words::NO_FARTHER, &[&own, &voice.number(*arc)]),
+                _ => voice.say(&words::NO_FARTHER, &[&own, &voice.at_most(*arc)]),
             }
         }
         Event::Advanced { separation, normal, closing_speed, bound, next, .. } => match (of, next) {

@@ -7,7 +7,7 @@ use super::phrases::{
     VERTEX_AT,
 };
 use super::place::place;
-use crate::geometry::{DVec2, Enclosure, Feature, Names, Side, power_of_ten};
+use crate::geometry::{DVec2, Enclosure, Feature, Names, Side, power_of_ten, read};
 use crate::trace::tongue::{Phrase, Tongue};
 use crate::trace::{Moment, SupportVertex};
 
@@ -16,6 +16,8 @@ use crate::trace::{Moment, SupportVertex};
 /// distance that small is told as less than a power of ten, as it may be proved not to be 0. The JSON lines
 /// have every bit.
 const NOTHING: f64 = 1e-12;
+/// Digits in all that numbers have.
+const DIGITS: f64 = 6.0;
 /// How finely a place is told where nobody says how large the bodies are, world units: below that six digits
 /// in all take it near the origin.
 const THOUSANDTHS: f64 = 1e-3;
@@ -131,7 +133,9 @@ impl<'n> Voice<'n> {
 
     /// An interval: "0 to 2".
     pub(super) fn interval(self, x: Enclosure) -> String {
-        let [lo, hi] = [x.lo, x.hi].map(|end| self.tongue.decimal(self.place(end)));
+        let least = NOTHING * x.hi.abs().max(x.lo.abs()).max(self.size);
+        let [lo, hi] = [x.lo, x.hi].map(|end| if end.abs() < least { 0.0 } else { end });
+        let [lo, hi] = [lo, hi].map(|end| self.tongue.decimal(self.place(end)));
         self.say(&SPAN, &[&lo, &hi])
     }
 
@@ -153,6 +157,13 @@ impl<'n> Voice<'n> {
     /// A number.
     pub(super) fn number(self, x: f64) -> String {
         self.tongue.decimal(self.digits(x))
+    }
+
+    /// A number of which is said that something is no more.
+    pub(super) fn at_most(self, x: f64) -> String {
+        let is_less = read(&number(x)).is_some_and(|told| told < x);
+        let unit = power_of_ten(libm::floor(libm::log10(x.abs())) + 1.0 - DIGITS);
+        self.number(if is_less { x + 0.5 * unit } else { x })
     }
 
     /// A number of which only the size matters, to few digits.

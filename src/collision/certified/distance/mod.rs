@@ -88,7 +88,8 @@ fn settled(pair: &Pair, hint: Option<DifferenceFeature>) -> witnesses::Proved {
 impl Pair<'_> {
     /// Signed separation with its witnesses, in world units, negative inside.
     ///
-    /// The bounds enclose the exact separation of the bodies as their doubles say it.
+    /// The bounds enclose the exact separation of the bodies as their doubles say it. Of bodies that are not
+    /// convex, or have numbers that are not finite, nothing is known: NaN, between the infinities.
     ///
     /// ```
     /// use tracefig::collision::Pair;
@@ -104,6 +105,7 @@ impl Pair<'_> {
     /// ```
     #[must_use]
     pub fn separation(&self) -> Separation {
-        certify(self, None)
+        let is_known = self.a.can_touch() && self.b.can_touch() && self.time.is_finite();
+        if is_known { certify(self, None) } else { Separation::UNKNOWN }
     }
 }

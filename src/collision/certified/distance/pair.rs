@@ -34,11 +34,11 @@ pub(crate) struct Placement<'p, 's> {
 #[derive(Clone, Copy, Debug)]
 pub struct Pair<'s> {
     /// Body A.
-    pub a: &'s Body,
+    pub(crate) a: &'s Body,
     /// Body B.
-    pub b: &'s Body,
+    pub(crate) b: &'s Body,
     /// The moment.
-    pub time: f64,
+    pub(crate) time: f64,
     /// Power of two by which the coordinates of this struct are multiplied; 1 for scenes from 1e-60 to 1e60.
     pub(crate) scale: f64,
     /// Whether the scene needs no scaling.
@@ -70,7 +70,7 @@ pub struct Pair<'s> {
 }
 
 impl<'s> Pair<'s> {
-    /// The pair at time `t`.
+    /// The pair at time `t`, any finite one: a scene's motion is that from 0 to 1.
     ///
     /// ```
     /// use tracefig::collision::Pair;

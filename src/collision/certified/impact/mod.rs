@@ -63,7 +63,8 @@ impl MovingPair<'_> {
     /// The first contact in [0, 1] and its proof's bounds: what the default algorithm answers to a
     /// time-of-impact query, with a `tolerance` in world units and at most about `max_iterations` distance
     /// queries. A contact is the pair at `time.lo`, in world units. Of bodies that turn so fast, or whose
-    /// sizes differ so much, that products of them underflow (a factor of 1e100) nothing is decided.
+    /// sizes differ so much, that products of them underflow (a factor of 1e100) nothing is decided; nor of
+    /// bodies that are not convex, or of numbers that are not finite.
     ///
     /// ```
     /// use tracefig::collision::{MovingPair, Outcome};
@@ -95,6 +96,9 @@ impl MovingPair<'_> {
         mut report: impl FnMut(AxisSpan),
     ) -> Impact {
         let [a, b] = self.bodies;
+        if !(a.can_touch() && b.can_touch() && tolerance >= 0.0) {
+            return Impact { outcome: Outcome::UNKNOWN, tolerance, iterations: 0 };
+        }
         if self.is_lost() || !self.is_linear() && of_one_scale(a, b, true).is_err() {
             let outcome = Outcome::Unresolved { reason: Reason::WithinRounding, free_until: 0.0 };
             return Impact { outcome, tolerance, iterations: 0 };

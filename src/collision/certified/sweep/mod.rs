@@ -60,7 +60,8 @@ impl<'s> Sweep<'s> {
     /// When and how the bodies meet first.
     ///
     /// Times are in [0, 1]; the bounds enclose the exact time of the bodies as their doubles say it, mostly
-    /// between two neighbouring doubles. A contact is the pair at `time.lo`, in world units.
+    /// between two neighbouring doubles. A contact is the pair at `time.lo`, in world units. Of bodies that are
+    /// not convex, or have numbers that are not finite, nothing is decided.
     ///
     /// ```
     /// use tracefig::collision::{Outcome, Sweep};
@@ -77,6 +78,9 @@ impl<'s> Sweep<'s> {
     /// ```
     #[must_use]
     pub fn first_contact(&self) -> Outcome {
+        if !(self.pair.a.can_touch() && self.pair.b.can_touch()) {
+            return Outcome::UNKNOWN;
+        }
         let outcome = self.entry().outcome(&self.pair);
         if matches!(outcome, Outcome::Unresolved { .. }) { self.by_other_means(outcome) } else { outcome }
     }

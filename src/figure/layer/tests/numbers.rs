@@ -116,7 +116,7 @@ fn every_layer(space: &Space, panel: usize) -> Vec<LayerSpec> {
 fn separation(scene: &Scene, time: f64) -> Separation {
     let query = Query { kind: QueryKind::Separation, ..scene.query_at(time) };
     let algorithm = ALGORITHMS.iter().rfind(|a| a.takes(&query)).unwrap();
-    let Answer::Separation(found) = algorithm.answer(&query) else { panic!("a separation") };
+    let Answer::Separation(found) = algorithm.ask(&query) else { panic!("a separation") };
     found
 }
 
@@ -271,7 +271,7 @@ fn depth_of(context: &Context, index: usize) -> f64 {
 fn until_hit(scene: &Scene, now: f64) -> f64 {
     let query = scene.query_at(0.0);
     let algorithm = ALGORITHMS.iter().rfind(|a| a.takes(&query)).unwrap();
-    let Answer::Impact(impact) = algorithm.answer(&query) else { panic!("an impact") };
+    let Answer::Impact(impact) = algorithm.ask(&query) else { panic!("an impact") };
     let Outcome::Hit { time, .. } = impact.outcome else { return 0.0 };
     time.lo - now
 }
