@@ -3,7 +3,8 @@
 //! Those play whose moment the answer gives (`hit`, `closest`, `bound`), each up to its moment, so that the
 //! figure is where they arrive. Where there are none, those play that say no moment, and where there are none
 //! of them, the first panel of the world at `start` or `end`: up to the moment of the question, or to the
-//! hit, the closest approach or the end of the motion. All other panels stand still.
+//! hit, the closest approach or the end of the motion. All other panels stand still, and graphs over time,
+//! which show all moments.
 
 use crate::collision::{Answer, Outcome};
 use crate::geometry::{Body, DVec2};
@@ -32,7 +33,8 @@ impl Played {
         }
         let named = |panel: &PanelPlan| panel.source.when.as_ref().map(|when| when.value);
         let those = |is_so: fn(Option<When>) -> bool| {
-            plan.panels.iter().enumerate().filter(move |(_, panel)| is_so(named(panel)))
+            let all = plan.panels.iter().enumerate();
+            all.filter(move |(_, panel)| !panel.is_chart() && is_so(named(panel)))
         };
         let answered = those(|when| matches!(when, Some(When::Hit | When::Closest | When::Bound)));
         let up_to_its_own = answered.map(|(i, panel)| (i, panel.moment.time)).filter(|(_, time)| *time > 0.0);

@@ -50,7 +50,13 @@ impl Told {
                 if is_whole(&cue) && run.events().any(tells_edge) =>
             {
                 let edges = run.events().filter(|event| tells_edge(event)).count();
-                tell(voice.difference(), step::sentence_of_difference(edges, is_given, voice))
+                let whole = step::sentence_of_difference(edges, is_given, voice);
+                let round = run.events().find(|event| matches!(event, Event::DifferenceRounded { .. }));
+                let round = round.map(|event| step::sentence_of_part(event, cue.part, voice));
+                tell(
+                    voice.difference(),
+                    [Some(whole), round].into_iter().flatten().collect::<Vec<_>>().join(" "),
+                )
             }
             Event::Finished { .. } => {
                 let of_a_moment = cue.teller == Teller::OtherQuestion;
@@ -74,7 +80,7 @@ impl Told {
             _ => {
                 let title = taken::title(&run.trace.events, cue.event, voice).unwrap_or(title);
                 let may_be_the_end = matches!(event, Event::CandidateImproved { .. });
-                let search = || told::Search::of(run.events());
+                let search = || told::Search::of(run.events()).at(&run.trace.events[cue.event + 1..]);
                 let end = may_be_the_end.then(search).and_then(|search| search.end(event, voice));
                 let so_far = || so_far::sentence(&run.trace.events[..cue.event], event, voice);
                 let own = || step::sentence_of_part(event, cue.part, voice);

@@ -255,6 +255,7 @@ pub(crate) const ROOMS: &[Row] = &[
             "figure/cue",
             "figure/difference",
             "figure/handle",
+            "figure/playhead",
             "figure/runs",
             "figure/sketch",
             "figure/text",

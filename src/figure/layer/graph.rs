@@ -181,6 +181,20 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         kinks::mark(sketch, context, (&chart, |s| s), &points);
     }
     marks(sketch, (context, &chart), &all, (role, values));
+    now(sketch, (context, &chart), &all, &points);
+}
+
+/// Marks the moment that others show while the graph stands still, or that its own panel is given: one that
+/// is no step's.
+fn now(sketch: &mut Sketch, (context, chart): (&Context, &Chart), all: &[Step], points: &[DVec2]) {
+    let given = || Some(context.time).filter(|&t| t > 0.0 && all.iter().all(|step| step.time != t));
+    let Some(t) = context.play.stands_at().or_else(given) else { return };
+    let around = points.windows(2).find(|pair| pair[0].x <= t && t <= pair[1].x);
+    let Some(&[before, after]) = around.and_then(|pair| pair.first_chunk()) else { return };
+    let share = if after.x > before.x { (t - before.x) / (after.x - before.x) } else { 0.0 };
+    let [foot, top] = [0.0, before.y + (after.y - before.y) * share].map(|s| chart.place(t, s));
+    sketch.since(None).part("now").weight(Weight::Background).line(foot, top, Pen::dimension(Role::Ink));
+    sketch.part("now").marker(top, Marker::Disc, Role::Ink, MARKER);
 }
 
 /// The cue with which is told how far apart the bodies are at a step.

@@ -30,7 +30,7 @@ use phrases::events::{
     DIFFERENCE_EDGE_OF_CENTER, DISC, FINISHED, GAP, LEAST_PENETRATING, LEAST_POSITIVE, LEFT, MERGED,
     NO_FARTHER, NO_MORE, OUTCOMES, OVERLAP, PENETRATION, POLYTOPE, POLYTOPE_GROWN, PROJECTED, RIGHT, ROUNDED,
     SEPARATED, SETTLED, SIMPLEX, SIMPLEX_HOLDS, SPLITS, SQUARES, STARTED, SUPPORT, TIE, TOGETHER, TOP,
-    TURNS_MORE, WAY_OUT,
+    TURNS_MORE, WAY_OUT, WITHOUT_RADII,
 };
 pub(crate) use place::place;
 pub(crate) use words::{Voice, script};
@@ -230,7 +230,10 @@ fn difference_edge(
 ) -> String {
     let [edge, vertex] = indices.map(|i| i.to_string());
     let [from, to] = ends.map(|p| voice.point(p));
-    let (own, other, what) = (voice.of(source), voice.of(source.other()), voice.difference());
+    let (own, other) = (voice.of(source), voice.of(source.other()));
+    let whole = voice.difference();
+    // It is that of the cores: the outline of a round pair lies beyond it.
+    let what = if voice.names.has_radius() { voice.say(&WITHOUT_RADII, &[&whole]) } else { whole };
     let far = ends.iter().map(|p| p.length()).fold(0.0, f64::max);
     let aside = voice.aside(distance, far);
     if voice.names.is_of_circle(source.other()) {

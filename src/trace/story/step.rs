@@ -10,7 +10,7 @@ use super::phrases::steps as words;
 use super::{Voice, sentence_in};
 use crate::geometry::DVec2;
 use crate::trace::tongue::Phrase;
-use crate::trace::{Event, Goal, SupportVertex};
+use crate::trace::{Culling, Event, Goal, SupportVertex};
 
 /// The part of the last [`Event::DifferenceEdgeFound`] with which the whole of B ⊖ A is known.
 pub(crate) const WHOLE: usize = 1;
@@ -129,7 +129,10 @@ pub(crate) fn title(event: &Event, of: usize, voice: Voice) -> String {
         Event::PolytopeExpanded { nearest, .. } => {
             return voice.say(&words::AT_LEAST, &[&voice.length(*nearest)]);
         }
-        Event::RayClipped { .. } => &words::RAY,
+        Event::RayClipped { outcome: Culling::BackFacing, .. } => &words::AWAY,
+        Event::RayClipped { source: (side, feature), .. } => {
+            return voice.say(&words::RAY, &[&voice.part((*side, *feature)), &voice.of(*side)]);
+        }
         Event::Advanced { step, .. } => {
             let what = if of == advanced::APART { &words::HOW_FAR } else { &words::HOW_SAFE };
             return voice.say(what, &[&step.to_string()]);
@@ -195,7 +198,7 @@ pub(crate) fn sentence_of_part(event: &Event, of: usize, voice: Voice) -> String
                 _ => voice.say(&words::NO_FARTHER, &[&own, &voice.at_most(*arc)]),
             }
         }
-        Event::Advanced { separation, normal, closing_speed, bound, next, .. } => match (of, next) {
+        Event::Advanced { at, separation, normal, closing_speed, bound, next, .. } => match (of, next) {
             (advanced::APART, _) => {
                 voice.say(&words::APART, &[&voice.length(*separation), &voice.point(*normal)])
             }
@@ -206,6 +209,11 @@ pub(crate) fn sentence_of_part(event: &Event, of: usize, voice: Voice) -> String
                 let (speed, turning) =
                     (voice.number(*closing_speed), with_turning(voice, [*closing_speed, *bound]));
                 voice.say(&words::CLOSE_IN, &[&speed, &turning, &voice.number(*next)])
+            }
+            (_, None) if *bound <= 0.0 => voice.word(&words::NO_NEARER),
+            (_, None) if at.time + separation / bound > 1.0 => {
+                let past = at.time + separation / bound;
+                voice.say(&words::PAST_THE_END, &[&voice.number(*bound), &voice.number(past)])
             }
             (_, None) => voice.word(&words::STOPS),
         },

@@ -49,6 +49,8 @@ pub(crate) enum Search {
     Axes,
     /// Simplices came nearer to the origin, of bodies without their radii.
     Simplices,
+    /// Edges were looked at, none of which follows.
+    AllEdges,
     /// Another one.
     Edges,
 }
@@ -64,6 +66,14 @@ impl Search {
         events.into_iter().find_map(kind).unwrap_or(Self::Edges)
     }
 
+    /// This search at an event that these ones follow.
+    pub(crate) fn at(self, after: &[Event]) -> Self {
+        let goes_on = |event: &Event| {
+            matches!(event, Event::DifferenceEdgeFound { .. } | Event::CandidateImproved { .. })
+        };
+        if matches!(self, Self::Edges) && !after.iter().any(goes_on) { Self::AllEdges } else { self }
+    }
+
     /// What is told of the end of such a search; `None` of another event, or of a candidate like others.
     pub(crate) fn end(self, event: &Event, voice: Voice) -> Option<String> {
         let Event::CandidateImproved { goal, distance, foot, source: (side, feature) } = event else {
@@ -77,7 +87,7 @@ impl Search {
                 let phrase = if is_deep { &LEAST_OVERLAP } else { &LARGEST_GAP };
                 Some(voice.say(phrase, &[&size, &part, &body]))
             }
-            Self::Simplices => {
+            Self::Simplices | Self::AllEdges => {
                 let phrase = match (is_deep, voice.names.has_radius()) {
                     (false, false) => &DISTANCE_IS,
                     (false, true) => &LESS_RADII,

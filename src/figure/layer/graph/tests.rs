@@ -3,7 +3,7 @@
 use super::*;
 use crate::drawing::{Contour, Segment};
 use crate::figure::layer::tests::{paths, points};
-use crate::figure::{Figure, draw, plan};
+use crate::figure::{Figure, draw, draw_in_motion, plan};
 use crate::scene::open_text;
 
 /// A box that turns towards a polygon, with a graph of it.
@@ -215,4 +215,22 @@ fn of_a_short_graph_the_head_of_the_axis_of_time_is_seen_beyond_the_last_step() 
     assert!(axes.x1 - steps.x1 > 9.0, "{axes:?} {steps:?}");
     let more = figure.panels[0].placed.iter().find(|label| label.key == "more");
     assert!(more.is_none_or(|label| label.bounds.y1 < axes.y1), "over the axis or above it: {more:?}");
+}
+
+#[test]
+fn a_graph_marks_the_moment_that_others_show_while_a_figure_plays() {
+    let text = "shapes.A = { kind = 'circle', radius = 1, position = [-4, 0], velocity = [8, 1] }
+        shapes.B = { kind = 'box', half_extents = [1, 1], position = [3, 0], angular_velocity_deg = 40 }
+        query = { kind = 'time-of-impact', of = ['A', 'B'] , algorithm = 'conservative-advancement' }
+        panels = [{ time = 'start', layers = ['shapes'] }, { layers = ['graph'] }]";
+    let scene = open_text("s", text).unwrap().scene;
+    let plan = plan(&scene).unwrap().with_room_to_move().unwrap();
+    let figure = draw_in_motion(&plan, plan.theme, "s", 5).unwrap().drawing;
+    let middle = |items: &[crate::drawing::Item]| {
+        let marks: Vec<_> = paths(items, "now").iter().filter_map(|path| path.contour.bounds()).collect();
+        marks.last().map(|bounds| bounds.center().x)
+    };
+    let places: Vec<f64> = figure.motion.iter().filter_map(|frame| middle(&frame.drawing.items)).collect();
+    assert!(places.len() >= 4 && places.windows(2).all(|pair| pair[1] > pair[0] + 10.0), "{places:?}");
+    assert_eq!(middle(&figure.items), None, "the figure itself shows all moments");
 }

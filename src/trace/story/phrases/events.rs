@@ -78,6 +78,8 @@ phrases! {
         "Kante * von * mit der Mitte von * ist die Kante * bis * von *; der Ursprung liegt * ihrer Geraden.",
         "L’arête * de * avec le centre de * est l’arête * à * de * ; l’origine est * de sa droite.",
         "La arista * de * con el centro de * es la arista * a * de *; el origen está * de su recta.";
+    /// B ⊖ A of the cores of round bodies.
+    WITHOUT_RADII: "* without the radii", "* ohne die Radien", "* sans les rayons", "* sin los radios";
     /// The next edge of a merge: edge, body, why.
     MERGED: "Next the edge * of *: *.",
         "Als Nächstes die Kante * von *: *.",

@@ -87,8 +87,10 @@ phrases! {
         "Ein Polytop: mindestens * tief",
         "Un polytope : profondeur d’au moins *",
         "Un politopo: profundidad de al menos *";
-    /// A ray.
-    RAY: "The ray", "Der Strahl", "Le rayon", "El rayo";
+    /// A ray against an edge, or a vertex of round bodies: which, body.
+    RAY: "The ray against * of *", "Strahl gegen * von *", "Rayon contre * de *", "Rayo contra * de *";
+    /// Edges that it passes over.
+    AWAY: "What faces away", "Was abgewandt ist", "Ce qui tourne le dos", "Lo que da la espalda";
     /// The first part of a step.
     HOW_FAR: "Step *: how far apart",
         "Schritt *: wie weit entfernt",
@@ -183,6 +185,16 @@ phrases! {
         "Nur ihre Drehung nähert sie, höchstens mit *: Nichts berührt sich vor t = *.",
         "Seule la rotation les rapproche, à une vitesse d’au plus * : rien ne se touche avant t = *.",
         "Solo el giro los acerca, a una velocidad de a lo sumo *: nada se toca antes de t = *.";
+    /// Nothing touches until the end: bound, when it might.
+    PAST_THE_END: "They come nearer by at most * a unit of time: nothing touches before t = *, after the end.",
+        "Sie nähern sich höchstens mit *: Nichts berührt sich vor t = *, nach dem Ende.",
+        "Ils se rapprochent à une vitesse d’au plus * : rien ne se touche avant t = *, après la fin.",
+        "Se acercan a una velocidad de a lo sumo *: nada se toca antes de t = *, después del final.";
+    /// They come no nearer.
+    NO_NEARER: "They come no nearer.",
+        "Sie nähern sich nicht mehr.",
+        "Ils ne se rapprochent plus.",
+        "Ya no se acercan.";
     /// Steps that are not shown: how many.
     LEFT_OUT: "Steps in between: *.",
         "Schritte dazwischen: *.",
