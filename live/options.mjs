@@ -1,8 +1,8 @@
 // Scenes of each layer with each of its options, which no figure has: `node live/options.mjs FOLDER`.
 //
-// For each of some questions and both spaces it writes a scene of every layer that `tracefig list layers` names, of
-// that with every value of every option, and with all its flags. Those that the layer does not fit are refused
-// by `tracefig render`.
+// For each of some questions and both spaces it writes a scene of every layer that `tracefig list layers`
+// names, of that with every value of every option, and with all its flags. Those that the layer does not fit
+// are refused by `tracefig render`.
 import { execFileSync } from 'node:child_process';
 import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
@@ -66,8 +66,9 @@ function layers() {
 mkdirSync(folder, { recursive: true });
 for (const [name, question] of Object.entries(QUESTIONS)) {
     for (const [layer, options] of layers()) {
-        const asked = options.flatMap(([key, takes]) => values(takes).map((value) => `${key} = ${value}`));
-        const flags = options.filter(([, takes]) => takes === 'true or false').map(([key]) => `${key} = true`);
+        const given = ([key, takes]) => values(takes).map((value) => `${key} = ${value}`);
+        const [asked, are_flags] = [options.flatMap(given), ([, takes]) => takes === 'true or false'];
+        const flags = options.filter(are_flags).map(([key]) => `${key} = true`);
         for (const [i, said] of ['', ...asked, flags.join(', ')].entries()) {
             for (const [space, below] of [['world', 'shapes'], ['configuration', 'difference']]) {
                 const own = `{ layer = "${layer}"${said && `, ${said}`} }`;

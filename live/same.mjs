@@ -2,8 +2,8 @@
 // what the page says before it:
 // `node live/same.mjs SCENES FOLDER [MODULE]`.
 //
-// For each scene of the first folder it draws every STEM.svg and STEM.THEME.svg that lies in the second. Notes of a
-// scene are of the binary alone.
+// For each scene of the first folder it draws every STEM.svg and STEM.THEME.svg that lies in the second.
+// Notes of a scene are of the binary alone.
 import { readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
 import { bytes, instance, prefix } from './module.mjs';

@@ -77,7 +77,7 @@ impl Expected {
     /// let (a, b) = (at(0.0, 0.0), at(3.0, 4.0));
     /// let kind = QueryKind::Separation;
     /// let query = Query { kind, a: &a, b: Some(&b), time: 0.0, tolerance: 0.0, max_iterations: 100 };
-    /// let answer = ALGORITHMS.iter().find(|algorithm| algorithm.takes(&query)).unwrap().answer(&query).unwrap();
+    /// let answer = query.answer().unwrap();
     /// let theirs = Expected { separation: Some(3.25), ..Expected::default() };
     /// let off = theirs.off(&query, &answer, None).unwrap();
     /// // Ours is 3, within bounds of a few ulps.

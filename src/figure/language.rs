@@ -271,6 +271,7 @@ pub(crate) static WORDS: &[Row] = &rows([
     ["turns less", "", "dreht weniger", "tourne moins", "gira menos"],
     ["fastest approach", "", "schnellste Annäherung", "approche la plus rapide", "acercamiento más rápido"],
     ["World", "", "Welt", "Monde", "Mundo"],
+    ["Relative velocity", "", "Relativgeschwindigkeit", "Vitesse relative", "Velocidad relativa"],
     [
         "Configuration space",
         "",

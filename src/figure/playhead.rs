@@ -10,9 +10,6 @@ use crate::scene::{Panel, Scene, Space, When};
 
 use super::question::is_of_a_moment;
 
-/// The layers that are graphs over all times, and stand for nothing where the bodies are.
-pub(crate) const GRAPHS: [&str; 2] = ["graph", "fastest-approach"];
-
 /// The moment in [0, 1] that the scene gives a panel; `None` where the answer gives it.
 pub(crate) fn given(panel: &Panel, scene: &Scene) -> Option<f64> {
     match panel.when.as_ref().map(|when| &when.value) {
@@ -24,24 +21,13 @@ pub(crate) fn given(panel: &Panel, scene: &Scene) -> Option<f64> {
     }
 }
 
-/// Whether a panel is a graph over time.
-fn shows_all_times(panel: &Panel) -> bool {
-    let layers = panel.layers.iter().flatten();
-    layers.into_iter().any(|layer| GRAPHS.contains(&layer.name.value.as_str()))
-}
-
 /// The playhead as a page takes it; `None` where there is none.
 pub(super) fn playhead(scene: &Scene) -> Option<Value> {
     let mut bodies = scene.query.of.iter().filter_map(|&i| scene.shapes.get(i));
     if scene.live.time == Some(false) || !bodies.any(|(_, body)| body.moves()) {
         return None;
     }
-    let mut follow: Vec<usize> =
-        (0..scene.panels.len()).filter(|&i| scene.panels[i].when.is_none()).collect();
-    // A graph marks the moment that others show.
-    if follow.iter().all(|&i| shows_all_times(&scene.panels[i])) {
-        follow.clear();
-    }
+    let follow: Vec<usize> = (0..scene.panels.len()).filter(|&i| scene.panels[i].when.is_none()).collect();
     let of_panel = |i: usize| json!(["panels", i, "time"]);
     let (paths, time) = if is_of_a_moment(scene.query.kind) && (scene.panels.is_empty() || !follow.is_empty())
     {

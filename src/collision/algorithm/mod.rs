@@ -198,7 +198,8 @@ impl Query<'_> {
     /// let ball = |x| Body::at_rest(Shape::circle(1.0).unwrap(), DVec2::new(x, 0.0));
     /// let apart = |x| {
     ///     let (kind, a, b) = (QueryKind::Separation, ball(0.0), ball(x));
-    ///     match (Query { kind, a: &a, b: Some(&b), time: 0.0, tolerance: 0.0, max_iterations: 100 }).answer()? {
+    ///     let query = Query { kind, a: &a, b: Some(&b), time: 0.0, tolerance: 0.0, max_iterations: 100 };
+    ///     match query.answer()? {
     ///         Answer::Separation(found) => Some(found.separation),
     ///         _ => None,
     ///     }

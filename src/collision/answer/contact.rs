@@ -47,7 +47,7 @@ impl Contact {
     /// let (a, b) = (at(0.0, 0.0), at(0.5, 1.75));
     /// let kind = QueryKind::Contact;
     /// let query = Query { kind, a: &a, b: Some(&b), time: 0.0, tolerance: 0.0, max_iterations: 100 };
-    /// let answer = ALGORITHMS.iter().find(|algorithm| algorithm.takes(&query)).unwrap().answer(&query).unwrap();
+    /// let answer = query.answer().unwrap();
     /// let Answer::Contact(contact) = answer else { panic!() };
     /// // The upper square stands a quarter deep in the lower one, half a unit to the right.
     /// let points: Vec<_> = contact.found().map(|p| (p.points[1].x, p.separation)).collect();

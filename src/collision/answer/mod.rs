@@ -235,7 +235,7 @@ impl Reason {
 }
 
 impl Outcome {
-    /// Of bodies of which nothing can be said.
+    /// What is known of bodies of which nothing can be said.
     pub(super) const UNKNOWN: Self = Self::Unresolved { reason: Reason::NotFinite, free_until: 0.0 };
 
     /// What a separation at t = 0 says that is not certainly above 0.

@@ -22,7 +22,7 @@ pub struct Separation {
 }
 
 impl Separation {
-    /// Of bodies of which nothing can be said.
+    /// What is known of bodies of which nothing can be said.
     pub(in crate::collision) const UNKNOWN: Self = Self {
         separation: f64::NAN,
         bounds: Enclosure { lo: f64::NEG_INFINITY, hi: f64::INFINITY },

@@ -12,6 +12,11 @@ pub(super) const PICTURE: Picture = Picture {
     panels: r#"
 [[panels]]
 time = "start"
-layers = ["shapes", { layer = "velocity", values = true }, "spin", { layer = "arc", sector = true }]
+layers = [
+  "shapes",
+  { layer = "velocity", values = true, length = true },
+  "spin",
+  { layer = "arc", sector = true },
+]
 "#,
 };

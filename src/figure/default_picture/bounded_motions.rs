@@ -1,5 +1,5 @@
-//! Two bodies that both turn, each with its velocity and the arc of its farthest point: all parts of the
-//! bound. The angles say how they turn.
+//! Two bodies that both turn and do not pass each other, each with its velocity and the arc of its farthest
+//! point: all parts of the bound. The angles say how they turn.
 
 use crate::collision::Answer;
 use crate::trace::Event;

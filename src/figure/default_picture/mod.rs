@@ -7,8 +7,10 @@
 //! left out. In its panels `A` and `B` stand for the query's bodies, whatever their names.
 
 mod axis_test;
+mod bounded_approach;
 mod bounded_motion;
 mod bounded_motions;
+mod bounded_translation;
 mod bounded_turn;
 mod bounding_box;
 mod box_extents;
@@ -71,6 +73,8 @@ pub struct Picture {
 pub static PICTURES: &[Picture] = &[
     bounding_box::PICTURE,
     bounded_turn::PICTURE,
+    bounded_translation::PICTURE,
+    bounded_approach::PICTURE,
     bounded_motions::PICTURE,
     bounded_motion::PICTURE,
     overlap_at_start::PICTURE,

@@ -58,6 +58,9 @@ fn scenes() -> Vec<Scene> {
     for asked in ["'motion-bound'", "'time-of-impact'\nalgorithm = 'conservative-advancement'"] {
         texts.insert(format!("{both}[query]\nkind = {asked}\nof = ['crate', 'B']\n"));
     }
+    // Neither passes the other.
+    let alike = both + "velocity = [3, 0]\n";
+    texts.insert(format!("{alike}[query]\nkind = 'motion-bound'\nof = ['crate', 'B']\n"));
     texts.iter().filter_map(|text| Some(open_text("s.toml", text).ok()?.scene)).collect()
 }
 
@@ -250,7 +253,7 @@ fn the_bound_of_two_bodies_that_turn_has_the_numbers_of_both() {
     let plan = plan(&scene).unwrap();
     let figure = draw(&plan, plan.theme, "s");
     let arcs = figure.panels.iter().map(|p| p.placed.iter().filter(|label| label.key == "L").count());
-    assert_eq!(arcs.collect::<Vec<_>>(), [2]);
+    assert_eq!(arcs.collect::<Vec<_>>(), [2, 0], "and the relative velocity");
 }
 
 #[test]

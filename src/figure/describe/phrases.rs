@@ -52,6 +52,11 @@ phrases! {
         "* und * überlappen sich nicht: Ihr Abstand ist *.",
         "* et * ne se recouvrent pas : leur distance est de *.",
         "* y * no se solapan: su distancia es *.";
+    /// The other verdict by an axis: the gap along it.
+    NO_OVERLAP_ALONG: "* and * do not overlap: along an axis there is a gap of *.",
+        "* und * überlappen sich nicht: Entlang einer Achse ist eine Lücke von *.",
+        "* et * ne se recouvrent pas : le long d’un axe, l’écart est de *.",
+        "* y * no se solapan: a lo largo de un eje hay un hueco de *.";
     /// Bodies that are apart: how far, along what.
     APART: "* and * are * apart along the normal *.",
         "* und * sind * voneinander entfernt, entlang der Normalen *.",

@@ -19,9 +19,9 @@ use super::phrases::{
     APART, APART_ALONG, APART_BY_ROUNDING, AT_MOMENT, BOX, BY_ROUNDING, CLOSEST, CLOSEST_AGAIN,
     CLOSEST_FIRST, CLOSEST_WHILE, CONTACTS_0, CONTACTS_1, CONTACTS_2, DEEP, DEEP_BY_ROUNDING, ENDS_EARLY,
     HIT, HIT_ALONG, HIT_SOMEWHERE, MISS, NO_FARTHER, NO_FARTHER_BY, NO_NEARER, NO_NEARER_BY, NO_OVERLAP,
-    NO_OVERLAP_BY, OVERLAP, OVERLAP_AND, OVERLAP_FIRST, PUSH, PUSH_ANY, PUSH_OF_MANY, ROUNDING, STALLED,
-    STAY, STEP_CAP, TOLERANCE, TOUCH, TOUCH_FIRST, TOUCH_OF_MANY, UNDECIDED, UNRESOLVED, UNRESOLVED_DEEP,
-    UNSAID,
+    NO_OVERLAP_ALONG, NO_OVERLAP_BY, OVERLAP, OVERLAP_AND, OVERLAP_FIRST, PUSH, PUSH_ANY, PUSH_OF_MANY,
+    ROUNDING, STALLED, STAY, STEP_CAP, TOLERANCE, TOUCH, TOUCH_FIRST, TOUCH_OF_MANY, UNDECIDED, UNRESOLVED,
+    UNRESOLVED_DEEP, UNSAID,
 };
 
 /// How fast bodies must come nearer to be said to, in parts of how fast they pass each other: far above what
@@ -156,6 +156,11 @@ fn verdict_in_words([a, b]: [&str; 2], overlap: &Overlap, told: &Account) -> Str
         (None, _) => speech.say(&UNSAID, &[a, b]),
         (Some(true), Some(s)) => separation_in_words([a, b], s, (Side::B, told.ways), told),
         (Some(true), None) => speech.say(&OVERLAP, &[a, b]),
+        // It is the axis that was found, and says no more.
+        (Some(false), _) if overlap.separation_bounds.hi == f64::INFINITY => {
+            let gap = overlap.separation_bounds.lo;
+            speech.say(&NO_OVERLAP_ALONG, &[a, b, &speech.value(gap)])
+        }
         (Some(false), Some(s)) if s.bounds.lo > 0.0 => {
             speech.say(&NO_OVERLAP_BY, &[a, b, &speech.number(s.bounds.lo, s.bounds.hi)])
         }

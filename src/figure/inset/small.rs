@@ -67,8 +67,9 @@ const HIDES: f64 = 60.0;
 const ANYTHING: f64 = 1e9;
 /// How much of a line an inset may hide to be as wide, or as high, as its panel, page pixels.
 const LARGER: f64 = 200.0;
-/// How much of a line an inset may hide rather than stand elsewhere than in the frame before, page pixels.
-const RESTS: f64 = 60.0;
+/// How much of a line an inset may hide rather than stand elsewhere than in the frame before, page pixels:
+/// more than anywhere else, as one that jumps is lost.
+const RESTS: f64 = 300.0;
 
 /// The largest detail that is shorter than `seen`.
 fn unseen(sketched: &Sketched, seen: f64) -> Option<&Detail> {
@@ -132,6 +133,7 @@ fn among(
         let within = at.iter().all(|along| along.abs() < 1.0);
         let cost = hides - LARGER * (share[0] + share[1]) + if within { WITHIN } else { 0.0 }
             - if rests { RESTS } else { 0.0 };
+        let most_hidden = most_hidden + if rests { RESTS } else { 0.0 };
         (hides <= most_hidden).then_some((cost, factor, rect, detail))
     };
     let best = places.filter_map(candidate).min_by(|a, b| a.0.total_cmp(&b.0));

@@ -1,11 +1,12 @@
 //! One step of an advancement along the ray: from the estimate to the closest point of B ⊖ A with its normal;
 //! where the tangent there cuts the ray lies the new estimate, never past the surface.
 
+use crate::collision::scale_of;
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Rank, SMALL_MARKER, Size, Sketch, Weight};
-use crate::figure::text::number;
-use crate::geometry::{DVec2, perp};
+use crate::figure::text::Quantity;
+use crate::geometry::{DVec2, Side, perp};
 use crate::trace::step::advanced;
 use crate::trace::{Event, phrase};
 
@@ -14,6 +15,9 @@ use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells};
 
 /// How far the tangent reaches behind the closest point and past the ray, page pixels.
 const TANGENT: [f64; 2] = [110.0, 40.0];
+
+/// The share of the size of the pair below which a distance is what rounding left of none.
+const NOTHING: f64 = 1e-12;
 
 pub(super) const LAYER: Layer = Layer {
     name: "advancement",
@@ -95,7 +99,12 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.part("right-angle").right_angle(s.closest, along, s.estimate - s.closest);
     let blue = Role::Translation;
     sketch.part("distance").dimension(s.estimate, s.closest, 0.0, Pen::dimension(blue).width(1.5));
-    let distance = format!("$d = {}$", number(s.separation));
+    // What is left at the contact is what rounding left.
+    let nothing = match (context.body(Side::A), context.body(Side::B)) {
+        (Some(a), Some(b)) => NOTHING * scale_of(a, b),
+        _ => 0.0,
+    };
+    let distance = format!("$d {}$", Quantity::exactly(s.separation).equals(nothing));
     sketch.label(Label::new("d", distance, Anchor::middle(s.estimate, s.closest), blue));
     let n = Label::new("n", "$n$", Anchor::point(s.closest), Role::B);
     unit_vector(sketch, (s.closest, s.normal), None, n);

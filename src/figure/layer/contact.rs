@@ -68,7 +68,8 @@ mod tests {
     fn where_edge_meets_edge_all_of_what_touches_is_marked() {
         let marks = |degrees: f64| {
             let text = format!(
-                "shapes.A = {{ kind = 'box', half_extents = [1, 1], velocity = [8, 0], angle_deg = {degrees} }}
+                "shapes.A = {{ kind = 'box', half_extents = [1, 1], velocity = [8, 0],
+                    angle_deg = {degrees} }}
                 shapes.B = {{ kind = 'box', half_extents = [1, 1], position = [6, 0.5] }}
                 query = {{ kind = 'linear-sweep', of = ['A', 'B'] }}
                 panels = [{{ layers = ['contact'] }}]"

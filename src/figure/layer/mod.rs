@@ -77,7 +77,6 @@ mod velocity;
 mod vertices;
 
 use crate::figure::context::Context;
-use crate::figure::playhead::GRAPHS;
 use crate::figure::sketch::Sketch;
 use crate::geometry::Side;
 use crate::trace::Phrase;
@@ -220,7 +219,7 @@ pub(crate) fn is_key(key: &str) -> bool {
 
 /// Whether a layer is a chart: its lines stand for times and lengths, and for nothing where the bodies are.
 pub(super) fn is_chart(layer: &Layer) -> bool {
-    GRAPHS.contains(&layer.name)
+    [graph::LAYER.name, fastest_approach::LAYER.name].contains(&layer.name)
 }
 
 /// Whether a layer shows no place of the panel's space, so that it can stand beside a chart.

@@ -56,6 +56,12 @@ pub(super) const LAYER: Layer = Layer {
             default: "false",
             about: "writes the velocities' components, in the frame of the panel",
         },
+        OptionSpec {
+            name: "length",
+            takes: Takes::Flag,
+            default: "false",
+            about: "writes how long they are: the way in a unit of time",
+        },
     ],
     labels: &[
         LabelKey { key: "v", about: "the relative velocity" },
@@ -105,6 +111,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
             &Motion {
                 key: "v",
                 text: text("$v$", v, options, scale),
+                length: length("$v$", v, options),
                 way,
                 from: DVec2::ZERO,
                 v,
@@ -126,8 +133,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let until = hit.filter(|_| options.word("cut", "") == When::HIT).map(|time| time.lo - context.time);
         let symbol = context.symbol("v", side);
         let text = text(&symbol, in_panel(context, v), options, scale * until.unwrap_or(1.0));
+        let length = length(&symbol, v, options);
         let from = pose.point(local);
-        let motion = Motion { key, text, way, from, v, now: context.time, hit, scale, known };
+        let motion = Motion { key, text, length, way, from, v, now: context.time, hit, scale, known };
         arrow(sketch, options, &motion);
         // An arrow that the hit cuts off ends there, whatever the velocity is.
         if !is_cut(options, &motion) {
@@ -150,6 +158,12 @@ pub(super) fn text(symbol: &str, v: DVec2, options: &Options, scale: f64) -> Str
     }
 }
 
+/// How long a velocity is, if wanted: "|v| = 5".
+fn length(symbol: &str, v: DVec2, options: &Options) -> Option<String> {
+    let letter = symbol.trim_matches('$');
+    options.flag("length", false).then(|| format!("$|{letter}| = {}$", number(v.length())))
+}
+
 /// Where the arrow of a body starts, in the body's frame: at the point that is to touch; or at its origin,
 /// the only point of a body that turns which goes straight. A circle that does not turn has it at its centre.
 fn start(context: &Context, options: &Options, side: Side) -> DVec2 {
@@ -169,6 +183,8 @@ struct Motion {
     key: &'static str,
     /// Text of its label, markup.
     text: String,
+    /// A second line of it: how long the velocity is.
+    length: Option<String>,
     /// Tail.
     from: DVec2,
     /// The velocity.
@@ -231,7 +247,8 @@ fn arrow(sketch: &mut Sketch, options: &Options, m: &Motion) {
         }
     }
     sketch.since(None);
-    sketch.label(Label::new(m.key, m.text.clone(), Anchor::tip(from, tip), role));
+    let lines = std::iter::once(m.text.clone()).chain(m.length.clone()).collect();
+    sketch.label(Label { lines, ..Label::new(m.key, "", Anchor::tip(from, tip), role) });
     if let Some((way, time)) = until {
         sketch.since(m.known);
         let label =

@@ -17,6 +17,10 @@ pub(super) const LONGEST: f64 = 40.0;
 const ROUNDING: f64 = 1e-6;
 /// Length of a leader line below which it is not seen to be one, page pixels.
 const SHORTEST: f64 = 5.0;
+/// Length of a level leader line below which it reads as a minus before its letter, page pixels.
+const MINUS: f64 = 12.0;
+/// The rise of a unit below which a line is level.
+const LEVEL: f64 = 0.35;
 
 /// Shares of the way from the nearest point of a line to its middle that are tried for the end of a leader.
 const SHARES: [f64; 3] = [0.75, 0.5, 0.25];
@@ -100,7 +104,8 @@ fn straight(own: &Thing, rect: &Rect, at: Point, w: &Places) -> Option<Leader> {
     let u = (near - at).unit()?;
     let clear = if own.clear() > 0.0 { own.clear() + w.leader_room } else { 0.0 };
     let (from, to) = (at + u * clear, near + u * -w.leader_room);
-    let seen = (to - from).dot(u) >= SHORTEST;
+    let shortest = if u.dy.abs() < LEVEL { MINUS } else { SHORTEST };
+    let seen = (to - from).dot(u) >= shortest;
     seen.then_some(Leader { from, to, dot: false, border: from })
 }
 

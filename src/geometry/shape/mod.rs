@@ -29,8 +29,7 @@ use super::Feature;
 use super::Hull;
 use super::Rotation;
 
-/// A shape in its body's frame, made by its constructors: what is set in one field alone, another one does not
-/// know of.
+/// A shape in its body's frame, made by its constructors: what is set in one field alone, others do not know.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shape {
     /// The word for it in a scene file.

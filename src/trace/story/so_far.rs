@@ -1,7 +1,7 @@
 //! What a test of axes knows so far: the largest gap, or else the least overlap, among the axes before.
 //!
-//! An axis along which all of B lies behind A decides nothing: along an edge that faces the other way they are
-//! apart.
+//! An axis along which all of B lies behind A decides nothing: along an edge that faces the other way they
+//! are apart.
 
 use super::Voice;
 use super::phrases::steps::{LESS_SO_FAR, MORE_SO_FAR, STILL_LARGEST, STILL_LEAST};

@@ -60,8 +60,8 @@ impl<'s> Sweep<'s> {
     /// When and how the bodies meet first.
     ///
     /// Times are in [0, 1]; the bounds enclose the exact time of the bodies as their doubles say it, mostly
-    /// between two neighbouring doubles. A contact is the pair at `time.lo`, in world units. Of bodies that are
-    /// not convex, or have numbers that are not finite, nothing is decided.
+    /// between two neighbouring doubles. A contact is the pair at `time.lo`, in world units.
+    /// Nothing is decided of bodies that are not convex, or have numbers that are not finite.
     ///
     /// ```
     /// use tracefig::collision::{Outcome, Sweep};

@@ -68,7 +68,7 @@ fn a_bound_comes_in_steps_from_the_farthest_point_to_the_answer() {
     let (asked, told) = steps("['A']");
     assert_eq!(asked, "How far can a point of A move?");
     let starts =
-        ["Farthest from the origin of A", "A turns by", "No point of A turns farther than L = θ r = 3.62491"];
+        ["Farthest from the origin of A", "A turns by", "No point of A turns farther than L = θ r = 3.62492"];
     assert!(
         told.len() == 3 && told.iter().zip(starts).all(|(told, start)| told.starts_with(start)),
         "{told:?}"

@@ -186,7 +186,7 @@ phrases! {
         "Seule la rotation les rapproche, à une vitesse d’au plus * : rien ne se touche avant t = *.",
         "Solo el giro los acerca, a una velocidad de a lo sumo *: nada se toca antes de t = *.";
     /// Nothing touches until the end: bound, when it might.
-    PAST_THE_END: "They come nearer by at most * a unit of time: nothing touches before t = *, after the end.",
+    PAST_THE_END: "They come nearer at * at most: nothing touches before t = *, after the end.",
         "Sie nähern sich höchstens mit *: Nichts berührt sich vor t = *, nach dem Ende.",
         "Ils se rapprochent à une vitesse d’au plus * : rien ne se touche avant t = *, après la fin.",
         "Se acercan a una velocidad de a lo sumo *: nada se toca antes de t = *, después del final.";
