@@ -48,7 +48,7 @@ impl Scene {
     ///
     /// let astray = [("ball", ball(f64::NAN, 1.0)?), ("wheel", ball(4.0, 2.0)?)];
     /// let problems = Scene::asking(QueryKind::Separation, &astray).unwrap_err();
-    /// assert!(problems[0].fault.to_string().starts_with("`position`: expected"));
+    /// assert!(problems[0].fault.to_string().starts_with("`ball.position`: expected"));
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn asking(kind: QueryKind, bodies: &[(&str, Body)]) -> Result<Self, Vec<Problem>> {
@@ -145,6 +145,7 @@ fn judged(name: &str, body: &Body, p: &mut Problems) -> Read {
         unturned(kind, table, p);
     }
     let is_good = p.len() == before;
+    p.of_body(before, name);
     Read { name: spanned, body: is_good.then(|| body.clone()) }
 }
 

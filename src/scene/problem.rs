@@ -314,6 +314,21 @@ impl Problems {
         self.found.len()
     }
 
+    /// Names the body in the keys of the problems from a number on, which stand in no text that would show it;
+    /// those that are then the same are told once.
+    pub(crate) fn of_body(&mut self, from: usize, name: &str) {
+        for problem in self.found.iter_mut().skip(from) {
+            if let Fault::WrongType { key, .. }
+            | Fault::OutOfRange { key, .. }
+            | Fault::NotFinite { key, .. }
+            | Fault::MissingKey { key, .. } = &mut problem.fault
+            {
+                *key = format!("{name}.{key}");
+            }
+        }
+        self.found.dedup_by(|a, b| a == b);
+    }
+
     /// The problems in the order of the file.
     pub(crate) fn into_sorted(mut self) -> Vec<Problem> {
         sort_by(&mut self.found, |p, q| (p.span.start, p.span.end).cmp(&(q.span.start, q.span.end)));

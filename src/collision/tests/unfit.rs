@@ -41,7 +41,9 @@ fn of_numbers_that_are_not_finite_nothing_is_said() {
             Body { spin: Angle::Degrees(wrong), ..body.clone() },
             round,
         ];
-        all.iter().for_each(|body| is_open(body, &wall));
+        for body in &all {
+            is_open(body, &wall);
+        }
         assert_eq!(Pair::at(&body, &wall, wrong).separation().bounds.hi, f64::INFINITY, "at {wrong}");
     }
     for tolerance in [f64::NAN, -1.0] {

@@ -37,9 +37,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         // Each point of the segment touches.
         Touching::Along([from, to]) => {
             sketch.line(from, to, Pen::highlighted(role));
-            [from, to].into_iter().for_each(|end| {
+            for end in [from, to] {
                 sketch.marker(end, Marker::Disc, role, MARKER);
-            });
+            }
         }
         Touching::At(_) => {
             sketch.marker(point, Marker::Disc, role, MARKER);

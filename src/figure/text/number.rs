@@ -360,8 +360,8 @@ mod tests {
         assert_eq!(rounded(0.96, 1.04), "0.96…1.04", "which is not 1");
         assert_eq!(rounded(0.25, 1.0), "0.25…1");
         // Both ends hold the number, whichever ones are nearer.
-        assert_eq!(rounded(0.80552625, 0.82552625), "0.805…0.826");
-        assert_eq!(rounded(-0.82552625, -0.80552625), "-0.826…-0.805");
+        assert_eq!(rounded(0.805_526_25, 0.825_526_25), "0.805…0.826");
+        assert_eq!(rounded(-0.825_526_25, -0.805_526_25), "-0.826…-0.805");
         assert_eq!(in_math("0.25…1"), r"0.25 \ldots 1");
     }
 
