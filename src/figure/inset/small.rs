@@ -27,9 +27,7 @@ const WORTH: f64 = 2.0;
 const SHARES: [f64; 4] = [0.46, 0.4, 0.34, 0.29];
 /// The widest and the highest that an inset is, page pixels, and the narrowest and the lowest.
 const LARGEST: [f64; 2] = [260.0, 190.0];
-const SMALLEST: [f64; 2] = [128.0, 76.0];
-/// The share of its panel's width and height that the smallest may take.
-const MOST: f64 = 0.6;
+const SMALLEST: [f64; 2] = [124.0, 76.0];
 /// The width of an inset that has room for a depth and its number, page pixels: a narrower one is taken only
 /// where none so wide is free.
 const ROOMY: f64 = 168.0;
@@ -164,10 +162,10 @@ fn diagonal(rect: &Rect) -> f64 {
 /// `None` where that is too small a panel, or too little.
 fn sized(cell: &Rect, (detail, most): (&Rect, f64), share: [f64; 2]) -> Option<(f64, [f64; 2])> {
     let size = [cell.width(), cell.height()];
-    if [0, 1].iter().any(|&k| SMALLEST[k] > MOST * size[k]) {
+    let size = [0, 1].map(|k| (share[k] * size[k]).min(LARGEST[k]));
+    if size[0] < SMALLEST[0] || size[1] < SMALLEST[1] {
         return None;
     }
-    let size = [0, 1].map(|k| (share[k] * size[k]).clamp(SMALLEST[k], LARGEST[k]));
     let room = FILLED * size[0].min(size[1]);
     let factor = *factors((room / diagonal(detail)).min(most)).first()?;
     (factor >= WORTH).then_some((factor, size))
