@@ -314,8 +314,8 @@ impl Problems {
         self.found.len()
     }
 
-    /// Names the body in the keys of the problems from a number on, which stand in no text that would show it;
-    /// those that are then the same are told once.
+    /// Names the body in the keys of the problems from a number on, which stand in no text that would show
+    /// it; those that are then the same are told once.
     pub(crate) fn of_body(&mut self, from: usize, name: &str) {
         for problem in self.found.iter_mut().skip(from) {
             if let Fault::WrongType { key, .. }
