@@ -53,10 +53,7 @@ impl Told {
                 let whole = step::sentence_of_difference(edges, is_given, voice);
                 let round = run.events().find(|event| matches!(event, Event::DifferenceRounded { .. }));
                 let round = round.map(|event| step::sentence_of_part(event, cue.part, voice));
-                tell(
-                    voice.difference(),
-                    [Some(whole), round].into_iter().flatten().collect::<Vec<_>>().join(" "),
-                )
+                tell(voice.difference(), together([Some(whole), round].into_iter().flatten()))
             }
             Event::Finished { .. } => {
                 let of_a_moment = cue.teller == Teller::OtherQuestion;
@@ -71,7 +68,7 @@ impl Told {
                 let said = said.unwrap_or_else(|| step::sentence_of_part(event, cue.part, voice));
                 let held = growth::held(before, event, voice);
                 let held = held.filter(|(simplex, _)| !shows(simplex, run, all_cues)).map(|(_, said)| said);
-                tell(title, held.into_iter().chain([said]).collect::<Vec<_>>().join(" "))
+                tell(title, together(held.into_iter().chain([said])))
             }
             Event::RayClipped { .. } if told::is_away(event) => {
                 let away = run.events().skip(cue.event).take_while(|event| told::is_away(event)).count();
@@ -84,12 +81,17 @@ impl Told {
                 let end = may_be_the_end.then(search).and_then(|search| search.end(event, voice));
                 let so_far = || so_far::sentence(&run.trace.events[..cue.event], event, voice);
                 let own = || step::sentence_of_part(event, cue.part, voice);
-                let said = || [Some(own()), so_far()].into_iter().flatten().collect::<Vec<_>>().join(" ");
+                let said = || together([Some(own()), so_far()].into_iter().flatten());
                 let advanced = || advanced((run, event), (cue, all_cues), voice);
                 tell(title, end.or_else(advanced).unwrap_or_else(said))
             }
         })
     }
+}
+
+/// Sentences one after the other.
+fn together(sentences: impl Iterator<Item = String>) -> String {
+    sentences.collect::<Vec<_>>().join(" ")
 }
 
 /// What a step of an advancement says beside its own: how many came before of which the figure shows none,
@@ -108,7 +110,7 @@ fn advanced((run, event): (&Run, &Event), (cue, all): (Cue, &[Cue]), voice: Voic
     let parts = if is_first { apart.part..=cue.part } else { cue.part..=cue.part };
     let said = left_out.map(|count| step::left_out(count, voice));
     let own = parts.map(|part| step::sentence_of_part(event, part, voice));
-    Some(said.into_iter().chain(own).collect::<Vec<_>>().join(" "))
+    Some(together(said.into_iter().chain(own)))
 }
 
 /// What a run came to.

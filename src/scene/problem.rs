@@ -320,13 +320,12 @@ impl Problems {
         for problem in self.found.iter_mut().skip(from) {
             if let Fault::WrongType { key, .. }
             | Fault::OutOfRange { key, .. }
-            | Fault::NotFinite { key, .. }
-            | Fault::MissingKey { key, .. } = &mut problem.fault
+            | Fault::NotFinite { key, .. } = &mut problem.fault
             {
                 *key = format!("{name}.{key}");
             }
         }
-        self.found.dedup_by(|a, b| a == b);
+        self.found.dedup();
     }
 
     /// The problems in the order of the file.

@@ -27,9 +27,8 @@ use crate::trace::{Event, Moment, Tracer};
 /// let query = Query {
 ///     kind: QueryKind::LinearSweep, a: &a, b: Some(&b), time: 0.0, tolerance: 0.0, max_iterations: 100,
 /// };
-/// let default = ALGORITHMS.iter().find(|algorithm| algorithm.takes(&query)).unwrap();
 /// // A passes below B a quarter of the way.
-/// let closest = closest_approach(&query, &default.answer(&query).unwrap()).unwrap();
+/// let closest = closest_approach(&query, &query.answer().unwrap()).unwrap();
 /// assert_eq!((closest.time, closest.contact.separation), (0.25, 1.0));
 /// assert!(closest.bounds.lo <= 1.0 && 1.0 <= closest.bounds.hi);
 /// ```

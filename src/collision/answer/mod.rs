@@ -34,7 +34,7 @@ pub use verdict::Verdict;
 /// let (a, b) = (at(0.0), at(1.75));
 /// let answer = |kind| {
 ///     let query = Query { kind, a: &a, b: Some(&b), time: 0.0, tolerance: 0.0, max_iterations: 100 };
-///     ALGORITHMS.iter().find(|algorithm| algorithm.takes(&query)).unwrap().answer(&query).unwrap()
+///     query.answer().unwrap()
 /// };
 /// let Answer::Separation(found) = answer(QueryKind::Separation) else { panic!() };
 /// // A quarter of a unit inside each other: B leaves along +x.

@@ -7,7 +7,7 @@ use crate::geometry::Angle;
 fn off(a: &Body, b: &Body, expected: Expected) -> Off {
     let kind = QueryKind::Separation;
     let query = Query { kind, a, b: Some(b), time: 0.0, tolerance: 0.0, max_iterations: 1 };
-    let answer = ALGORITHMS.iter().find(|algorithm| algorithm.takes(&query)).unwrap().ask(&query);
+    let answer = query.answer().unwrap();
     expected.off(&query, &answer, None).unwrap()
 }
 
@@ -52,7 +52,7 @@ fn of_a_hit_the_contact_is_right_and_of_a_miss_any_time_as_near() {
     let told = |a: &Body, b: &Body, expected: Expected| {
         let kind = QueryKind::TimeOfImpact;
         let query = Query { kind, a, b: Some(b), time: 0.0, tolerance: 1e-9, max_iterations: 1_000 };
-        let answer = ALGORITHMS.iter().find(|algorithm| algorithm.takes(&query)).unwrap().ask(&query);
+        let answer = query.answer().unwrap();
         expected.off(&query, &answer, closest_approach(&query, &answer).as_ref()).unwrap()
     };
     let still = boxed("box", 1.0, 1.0);
@@ -95,7 +95,7 @@ fn an_outcome_is_held_against_ours_where_that_is_decided() {
     let told = |x: f64, kind: QueryKind, theirs: Verdict| {
         let (a, b) = (boxed("box", 1.0, 1.0), placed(boxed("box", 1.0, 1.0), x, 0.0, 0.0));
         let query = Query { kind, a: &a, b: Some(&b), time: 0.0, tolerance: 0.0, max_iterations: 1 };
-        let answer = ALGORITHMS.iter().find(|algorithm| algorithm.takes(&query)).unwrap().ask(&query);
+        let answer = query.answer().unwrap();
         let expected = Expected { outcome: Some(theirs), separation: Some(9.0), ..Expected::default() };
         expected.off(&query, &answer, None).unwrap()
     };

@@ -1,14 +1,12 @@
 //! A body with its velocity, its spin, and the arc of its farthest point: the two parts of the bound. The
 //! body at the end would have made both at once, so that no end of the arc lay on it.
 
-use crate::collision::Answer;
-
 use super::Picture;
 
 pub(super) const PICTURE: Picture = Picture {
     name: "bounded-motion",
     about: "the motion bound of bodies that move",
-    fits: |case| matches!(case.run.answer, Answer::MotionBound(_)),
+    fits: |case| case.bounded(|_, _| true).is_some(),
     panels: r#"
 [[panels]]
 time = "start"

@@ -1,18 +1,12 @@
 //! Two bodies that both turn and do not pass each other, each with its velocity and the arc of its farthest
 //! point: all parts of the bound. The angles say how they turn.
 
-use crate::collision::Answer;
-use crate::trace::Event;
-
 use super::Picture;
 
 pub(super) const PICTURE: Picture = Picture {
     name: "bounded-motions",
     about: "the motion bound of two bodies that both turn",
-    fits: |case| {
-        let turns = |event: &Event| matches!(*event, Event::MotionBounded { theta, .. } if theta > 0.0);
-        matches!(case.run.answer, Answer::MotionBound(_)) && case.count(turns) == 2
-    },
+    fits: |case| case.bounded(|theta, _| theta > 0.0) == Some(2),
     panels: r#"
 [[panels]]
 time = "start"

@@ -116,6 +116,16 @@ impl Case<'_> {
         if let Answer::Impact(impact) = &self.run.answer { Some(&impact.outcome) } else { None }
     }
 
+    /// For how many bodies the angle of the turn and the way of a motion bound are so; `None` for other
+    /// questions.
+    fn bounded(&self, is_so: fn(f64, f64) -> bool) -> Option<usize> {
+        let of_body = |event: &Event| match *event {
+            Event::MotionBounded { theta, linear, .. } => is_so(theta, linear),
+            _ => false,
+        };
+        matches!(self.run.answer, Answer::MotionBound(_)).then(|| self.count(of_body))
+    }
+
     /// Whether the bodies touch on their way.
     fn hits(&self) -> bool {
         matches!(self.outcome(), Some(Outcome::Hit { .. }))
@@ -148,7 +158,7 @@ impl Case<'_> {
     }
 
     /// How many events of a kind the algorithm told.
-    fn count(&self, is_so: fn(&Event) -> bool) -> usize {
+    fn count(&self, is_so: impl Fn(&Event) -> bool) -> usize {
         self.run.events().filter(|event| is_so(event)).count()
     }
 

@@ -248,6 +248,7 @@ fn impact_in_words([a, b]: [&str; 2], impact: &Impact, told: &Account) -> String
                 Reason::WithinRounding => &ROUNDING,
                 Reason::WithinTolerance => &TOLERANCE,
                 Reason::IterationLimit => &STEP_CAP,
+                // No scene has numbers that are not finite.
                 Reason::Stalled | Reason::NotFinite => &STALLED,
             };
             unresolved_in_words([a, b], *free_until, speech.0.word(why), told)

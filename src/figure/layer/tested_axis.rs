@@ -1,7 +1,7 @@
 //! What a test of an axis told of it.
 
 use crate::geometry::{DVec2, Enclosure, Feature, Side};
-use crate::trace::Event;
+use crate::trace::{Event, so_far};
 
 /// An axis that the algorithm tested.
 #[derive(Clone, Copy)]
@@ -21,7 +21,7 @@ pub(super) struct Tested {
 impl Tested {
     /// Whether the bodies are apart along it the other way round: all of B lies behind A.
     pub(super) fn is_behind(&self) -> bool {
-        self.b.hi < self.a.lo
+        so_far::is_behind(self.a, self.b)
     }
 
     /// The gap of the intervals, from its start, or what both share, from its end: less than the depth where

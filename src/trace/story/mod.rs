@@ -287,7 +287,7 @@ fn axis_tested(
     let [a, b] = intervals.map(|interval| voice.interval(interval));
     let between = if gap > 0.0 {
         voice.say(&GAP, &[&voice.length(gap)])
-    } else if intervals[1].hi < intervals[0].lo {
+    } else if so_far::is_behind(intervals[0], intervals[1]) {
         voice.say(&BEHIND, &[&second, &first])
     } else {
         voice.say(&OVERLAP, &[&second, &voice.length(-gap), &first])

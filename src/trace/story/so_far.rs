@@ -5,13 +5,21 @@
 
 use super::Voice;
 use super::phrases::steps::{LESS_SO_FAR, MORE_SO_FAR, STILL_LARGEST, STILL_LEAST};
+use crate::geometry::Enclosure;
 use crate::trace::Event;
+
+/// Whether B's interval along an axis lies behind A's, so that they are apart the other way round.
+pub(crate) fn is_behind(a: Enclosure, b: Enclosure) -> bool {
+    b.hi < a.lo
+}
 
 /// From where A ends to where B begins along a tested axis, negative where they overlap; `None` of another
 /// event, and of an axis that decides nothing.
 pub(crate) fn gap(event: &Event) -> Option<f64> {
     match event {
-        Event::AxisTested { gap, interval_a, interval_b, .. } if interval_b.hi >= interval_a.lo => Some(*gap),
+        Event::AxisTested { gap, interval_a, interval_b, .. } if !is_behind(*interval_a, *interval_b) => {
+            Some(*gap)
+        }
         _ => None,
     }
 }
@@ -39,7 +47,7 @@ pub(crate) fn sentence(before: &[Event], event: &Event, voice: Voice) -> Option<
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::{DVec2, Enclosure, Feature, Names, Side};
+    use crate::geometry::{DVec2, Feature, Names, Side};
 
     fn axis(edge: usize, [lo, hi]: [f64; 2]) -> Event {
         Event::AxisTested {
