@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 use std::sync::OnceLock;
 
 use crate::collision::Pair;
-use crate::geometry::Body;
+use crate::geometry::{Body, Enclosure};
 use crate::scene::Scene;
 
 /// Moments that are looked at: of ten turns of a box, six to a minimum. A prime, so that a regular polygon
@@ -17,6 +17,10 @@ const MOMENTS: u16 = 251;
 
 /// The most that both bodies turn, radians: beyond ten turns the moments miss too much.
 const MOST_TURNED: f64 = 10.0 * TAU;
+
+/// How wide the bounds of a least distance may be that is told as the least, in roundings of the pair's
+/// numbers: a millionth of their size.
+const KNOWN: f64 = 1e10;
 
 /// Steps to a minimum: the last third is below the last bit of a time.
 const THIRDS: usize = 92;
@@ -38,11 +42,19 @@ pub(crate) enum Nearest {
 pub(crate) struct Often(OnceLock<Nearest>);
 
 impl Often {
-    /// How often the bodies of a scene are as near as at `time`, when their `distance` is least, in world
-    /// units: those of the run's closest approach. Of bodies that do not turn it is one piece of time.
-    pub(crate) fn of(&self, scene: &Scene, time: f64, distance: f64) -> Nearest {
-        *self.0.get_or_init(|| nearest(scene, time, distance))
+    /// How often the bodies of a scene are as near as at `time`, with these bounds of their least distance, in
+    /// world units: those of the run's closest approach. Of bodies that do not turn it is one piece of time.
+    pub(crate) fn of(&self, scene: &Scene, time: f64, bounds: Enclosure) -> Nearest {
+        let found =
+            || if is_known(scene, time, bounds) { nearest(scene, time, bounds.hi) } else { Nearest::Once };
+        *self.0.get_or_init(found)
     }
+}
+
+/// Whether bodies that have these bounds of their least distance, world units, are proved to be hardly
+/// nearer at any moment than at `time`: where they turn too fast, a nearer moment may have been missed.
+pub(crate) fn is_known(scene: &Scene, time: f64, bounds: Enclosure) -> bool {
+    bounds.hi - bounds.lo <= KNOWN * scene.query_at(time).rounding()
 }
 
 /// [`Often::of`], found anew.

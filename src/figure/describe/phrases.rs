@@ -217,6 +217,12 @@ phrases! {
         "; am nächsten sind sie sich bei t = *, mit Abstand *",
         " ; ils sont au plus près à t = *, à une distance de *",
         "; su menor distancia es en t = *: *";
+    /// How near a miss is known to come, where a nearer moment may have been missed: how far apart, when, and
+    /// what is proved.
+    NO_NEARER_THAN: "; they come as near as * at t = *, and never nearer than *",
+        "; sie kommen sich bis auf * nahe, bei t = *, und nie näher als *",
+        " ; ils s’approchent jusqu’à *, à t = *, et jamais à moins de *",
+        "; se acercan hasta *, en t = *, y nunca a menos de *";
     /// The closest approach, as near as which they come again: one moment of them, how far apart.
     CLOSEST_AGAIN: "; they come closest more than once, as at t = *, * apart",
         "; am nächsten sind sie sich mehrmals, so bei t = *, mit Abstand *",

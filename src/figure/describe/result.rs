@@ -1,7 +1,7 @@
 //! What came out, as a sentence.
 
 use crate::collision::{Answer, Contact, Impact, MotionBound, Outcome, Overlap, Pair, Reason, Separation};
-use crate::figure::again::Nearest;
+use crate::figure::again::{Nearest, is_known};
 use crate::figure::called::Called;
 use crate::figure::difference::Difference;
 use crate::figure::question::is_of_a_moment;
@@ -18,10 +18,10 @@ use super::off::compared;
 use super::phrases::{
     APART, APART_ALONG, APART_BY_ROUNDING, AT_MOMENT, BOX, BY_ROUNDING, CLOSEST, CLOSEST_AGAIN,
     CLOSEST_FIRST, CLOSEST_WHILE, CONTACTS_0, CONTACTS_1, CONTACTS_2, DEEP, DEEP_BY_ROUNDING, ENDS_EARLY,
-    HIT, HIT_ALONG, HIT_SOMEWHERE, MISS, NO_FARTHER, NO_FARTHER_BY, NO_NEARER, NO_NEARER_BY, NO_OVERLAP,
-    NO_OVERLAP_ALONG, NO_OVERLAP_BY, OVERLAP, OVERLAP_AND, OVERLAP_FIRST, PUSH, PUSH_ANY, PUSH_OF_MANY,
-    ROUNDING, STALLED, STAY, STEP_CAP, TOLERANCE, TOUCH, TOUCH_FIRST, TOUCH_OF_MANY, UNDECIDED, UNRESOLVED,
-    UNRESOLVED_DEEP, UNSAID,
+    HIT, HIT_ALONG, HIT_SOMEWHERE, MISS, NO_FARTHER, NO_FARTHER_BY, NO_NEARER, NO_NEARER_BY, NO_NEARER_THAN,
+    NO_OVERLAP, NO_OVERLAP_ALONG, NO_OVERLAP_BY, OVERLAP, OVERLAP_AND, OVERLAP_FIRST, PUSH, PUSH_ANY,
+    PUSH_OF_MANY, ROUNDING, STALLED, STAY, STEP_CAP, TOLERANCE, TOUCH, TOUCH_FIRST, TOUCH_OF_MANY, UNDECIDED,
+    UNRESOLVED, UNRESOLVED_DEEP, UNSAID,
 };
 
 /// How fast bodies must come nearer to be said to, in parts of how fast they pass each other: far above what
@@ -281,18 +281,22 @@ fn closest_in_words(told: &Account) -> String {
             let is_rounding = bounds.hi <= told.scene.query_at(at.time).rounding();
             let rounding = if is_rounding { speech.say(&BY_ROUNDING, &[]) } else { String::new() };
             let apart = speech.number(bounds.lo, bounds.hi);
-            let often = told.run.often.of(told.scene, at.time, bounds.hi);
-            Some((at.time, apart, closing, span, rounding, often))
+            let often = told.run.often.of(told.scene, at.time, *bounds);
+            let least = (!is_known(told.scene, at.time, *bounds)).then(|| speech.at_least(bounds.lo));
+            let apart = if least.is_some() { speech.at_most(bounds.hi) } else { apart };
+            Some((at.time, (apart, least), closing, span, rounding, often))
         }
         _ => None,
     });
-    let Some((time, apart, closing, span, rounding, often)) = found else { return String::new() };
+    let Some((time, (apart, least), closing, span, rounding, often)) = found else { return String::new() };
     let query = told.scene.query_at(0.0);
     let rests = |b: &Body| query.a.velocity == b.velocity && query.a.spin.is_zero() && b.spin.is_zero();
     let how = if query.b.is_some_and(rests) || often == Nearest::Always {
         speech.say(&STAY, &[&apart])
     } else if often == Nearest::Again {
         speech.say(&CLOSEST_AGAIN, &[&speech.value(time), &apart])
+    } else if let Some(least) = least {
+        speech.say(&NO_NEARER_THAN, &[&apart, &speech.value(time), &least])
     } else if time >= 1.0 && closing > 0.0 {
         speech.say(&ENDS_EARLY, &[&speech.value(time), &apart])
     } else if time <= 0.0 && closing < 0.0 {

@@ -84,7 +84,7 @@ fn label((context, closest): (&Context, &Approach), anchor: Anchor, role: Role) 
     let rounding = context.scene.query_at(closest.time).rounding();
     let d = Quantity::exactly(closest.separation).equals(rounding);
     let mut lines = vec![format!("$d {d}$")];
-    let often = context.run().often.of(context.scene, closest.time, closest.bounds.hi);
+    let often = context.run().often.of(context.scene, closest.time, closest.bounds);
     let is_moving = context.turns() || context.closing_velocity() != DVec2::ZERO;
     if is_moving && often != Nearest::Always {
         lines.push(format!("$t = {}$", number(closest.time)));

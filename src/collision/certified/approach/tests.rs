@@ -5,6 +5,7 @@ use super::*;
 use crate::collision::answer::Outcome;
 use crate::collision::certified::distance::Pair;
 use crate::collision::tests::bodies::{Bodies, boxed, moving, placed, polygon};
+use crate::geometry::Angle;
 
 /// The closest approach of a pair that misses; None for another.
 fn of_miss(a: &Body, b: &Body) -> Option<ClosestApproach> {
@@ -126,6 +127,35 @@ fn turns_without_end_leave_a_bound_that_holds_and_cost_what_they_may() {
     let found = closest_approach(&a, &b);
     assert!(found.bounds.lo >= 0.0 && found.bounds.lo <= found.contact.separation, "{found:?}");
     assert!(found.contact.separation < 1.2, "{found:?}");
+}
+
+/// Four looks at a motion found the nearest of none of the turns, and the bound was 0 of 335.
+#[test]
+fn bodies_far_apart_that_turn_fast_have_a_bound_of_their_reach_and_the_nearest_of_their_turns() {
+    let a = [[0.532969, 0.846135], [-0.506671, 0.862140], [-0.721789, 0.692114], [-0.808910, 0.587933]];
+    let b = [[0.792640, 0.609690], [0.445818, 0.895124], [-0.085376, 0.996349], [0.884628, -0.466296]];
+    let turning = |body: Body, rad: f64| Body { spin: Angle::Radians(rad), ..body };
+    for far in [300.0, 2e5, 2e8] {
+        let a = turning(moving(polygon(&a, 0.0), [-66.0, -277.0], 0.0), -81.3);
+        let b = placed(polygon(&b, 0.0), far, -2.8, 0.0);
+        let b = turning(moving(b, [-67.0, -277.5], 0.0), -46.0);
+        let found = closest(&a, &b);
+        let at = |k: u32| Pair::at(&a, &b, f64::from(k) / 20_000.0).separation().separation;
+        let least = (0..=20_000).map(at).fold(f64::INFINITY, f64::min);
+        assert!(found.contact.separation <= least + 1e-15 * far, "{far}: {found:?}, {least}");
+        assert!(found.bounds.lo <= least && found.bounds.lo > far - 4.0, "{far}: {found:?}, {least}");
+    }
+}
+
+/// Beside a wall, which does not turn, the circle of what does is enough.
+#[test]
+fn a_wheel_that_spins_beside_a_long_wall_is_as_far_as_its_circle() {
+    let wall = placed(boxed("box", 500.0, 1.0), 300.0, 0.0, 0.0);
+    let wheel = moving(placed(boxed("box", 1.0, 0.5), 0.0, 40.0, 0.0), [3.0, 0.0], 1e8);
+    let found = closest(&wheel, &wall);
+    let circle = 39.0 - 1.25_f64.sqrt();
+    assert!((found.bounds.lo - circle).abs() < 1e-6, "{found:?}");
+    assert!(found.contact.separation < circle + 1e-3, "{found:?}");
 }
 
 #[test]

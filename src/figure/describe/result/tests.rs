@@ -248,6 +248,23 @@ fn a_body_that_turns_and_comes_as_near_again_is_said_to() {
     assert_eq!(disc, "a and b do not touch; they stay 0.7 apart.");
 }
 
+/// The first was told to come "closest at t = 0.650, 0 … 336 apart", which it does not.
+#[test]
+fn a_miss_whose_least_distance_is_not_proved_is_told_as_far_as_it_is() {
+    let text = |lang: &str| {
+        said(&format!(
+            "lang = '{lang}'
+            shapes.a = {{ kind = 'box', half_extents = [1, 0.05], angular_velocity_deg = 2000 }}
+            shapes.b = {{ kind = 'box', half_extents = [1, 0.05], position = [30, 0], angular_velocity_deg = -3000 }}
+            query = {{ kind = 'time-of-impact', of = ['a', 'b'] }}"
+        ))
+    };
+    let english = text("en");
+    assert!(english.starts_with("a and b do not touch; they come as near as 28.0"), "{english}");
+    assert!(english.ends_with(", and never nearer than 27.9."), "{english}");
+    assert!(text("de").contains("; sie kommen sich bis auf 28,0"), "{}", text("de"));
+}
+
 #[test]
 fn bodies_that_go_alike_stay_as_they_are() {
     let text = "shapes.a = { kind = 'circle', radius = 1, velocity = [1, 2] }
