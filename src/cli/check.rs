@@ -372,19 +372,18 @@ impl Check {
                         .and_then(|()| write_whole(picture, &image, Wait::No));
                     match written {
                         Ok(()) => finding.picture = Some((picture.display().to_string(), image)),
-                        Err(error) => checked.fail(&name, Status::Io, &cant_write(picture, &error)),
+                        Err(error) => checked.cant(&mut finding, &cant_write(picture, &error)),
                     }
                 }
             }
         }
-        let (differs, is_counted) = (state != State::Identical, finding.is_bad());
-        checked.findings.push(finding);
-        if differs && self.accept {
+        if state != State::Identical && self.accept {
             match write_whole(path, &encoded.bytes, self.files.wait()) {
-                Ok(()) => checked.accepted += usize::from(is_counted),
-                Err(error) => checked.fail(&name, Status::Io, &cant_write(path, &error)),
+                Ok(()) => checked.accepted += usize::from(finding.is_bad()),
+                Err(error) => checked.cant(&mut finding, &cant_write(path, &error)),
             }
         }
+        checked.findings.push(finding);
     }
 }
 

@@ -82,6 +82,13 @@ impl Checked {
         self.miss(file, status, message);
     }
 
+    /// Says what could not be written of a file that was checked, whose finding says it too.
+    pub(crate) fn cant(&mut self, finding: &mut Finding, message: &str) {
+        self.say(message);
+        self.status = self.status.max(Status::Io);
+        finding.details.extend(message.lines().map(str::to_owned));
+    }
+
     /// Adds a file that could not be checked, why, and the place of that.
     pub(crate) fn miss(&mut self, file: &str, status: Status, message: &str) {
         let mut lines = message.lines();

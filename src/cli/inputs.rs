@@ -5,12 +5,17 @@ use std::path::{Path, PathBuf};
 
 use tracefig::scene::{PROJECT_FILE, Refused, SceneFile, open, open_jsonl_line, open_reader, visible};
 
+use super::Status;
+use super::console::Console;
 use super::project::{OpenProject, nearest};
 use super::unplanned::Unplanned;
 use super::walk::walk;
 
 /// The folder whose scenes are meant when neither a command nor a project names any.
 const DEFAULT_FOLDER: &str = "figures";
+
+/// How many files are named that are no scenes.
+const NAMED: usize = 4;
 
 /// Where a scene comes from.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -79,8 +84,8 @@ pub(crate) struct Located {
 pub(crate) struct Found {
     /// The scenes, in the order of the arguments; a folder stands for its scenes by path.
     pub(crate) scenes: Vec<Located>,
-    /// How many files of the folders end as a scene's do and are none.
-    pub(crate) others: usize,
+    /// The files of the folders that end as a scene's do and are none.
+    pub(crate) others: Vec<PathBuf>,
     /// The folders that were searched, each with those in it.
     pub(crate) folders: Vec<PathBuf>,
     /// Folders among them that can't be read, and why.
@@ -88,16 +93,32 @@ pub(crate) struct Found {
 }
 
 impl Found {
-    /// What was left alone, in lines; empty where nothing was.
+    /// The files that were taken for no scenes, in a line; empty where there is none.
     pub(crate) fn left_alone(&self) -> String {
-        let others = match self.others {
-            0 => String::new(),
-            1 => "note: 1 file is no scene\n".to_owned(),
-            n => format!("note: {n} files are no scenes\n"),
-        };
-        let unread = |(folder, error)| format!("note: {}\n", unread_folder(folder, error));
-        self.unread.iter().map(|(folder, error)| unread((folder, error))).chain([others]).collect()
+        let named: Vec<String> = self.others.iter().take(NAMED).map(|path| shown(path)).collect();
+        let verb = if self.others.len() == 1 { "is no scene" } else { "are no scenes" };
+        match self.others.len() - named.len() {
+            _ if named.is_empty() => String::new(),
+            0 => format!("note: {} {verb}\n", and(&named)),
+            more => format!("note: {} and {more} more files {verb}\n", named.join(", ")),
+        }
     }
+}
+
+/// Names in a row, the last one after an "and".
+fn and(names: &[String]) -> String {
+    match names {
+        [first @ .., last] if !first.is_empty() => format!("{} and {last}", first.join(", ")),
+        _ => names.concat(),
+    }
+}
+
+/// Tells of folders that were to be searched and can't be read: what is in them is not done.
+pub(crate) fn tell_unread(unread: &[(PathBuf, io::Error)], console: &Console) -> Status {
+    for (folder, error) in unread {
+        console.error(&unread_folder(folder, error));
+    }
+    if unread.is_empty() { Status::Done } else { Status::Io }
 }
 
 /// The words for a folder that can't be read, and why.
@@ -171,7 +192,7 @@ fn folder(path: &Path, found: &mut Found) -> Result<(), String> {
     if walked.scenes.is_empty() {
         return Err(format!("there is no scene (*.toml, *.json) in the folder {}", shown(path)));
     }
-    found.others += walked.others;
+    found.others.extend(walked.others);
     found.folders.extend(walked.folders);
     found.unread.extend(walked.unread);
     found.scenes.extend(walked.scenes.into_iter().map(|scene| {

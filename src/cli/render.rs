@@ -13,6 +13,7 @@ use super::declared::Declared;
 use super::files::{Files, Plan};
 use super::gallery::finish;
 use super::handout::{Sheets, Told};
+use super::inputs::tell_unread;
 use super::jobs::{Job, bound_jobs, folders_of, sheet_jobs};
 use super::live::Live;
 use super::manual::{FIGURES, Manual, PROJECT_FILE};
@@ -90,7 +91,8 @@ impl Runs for Render {
             Live::add_pictures(self.output.as_deref(), &mut self.files.asked.format);
         }
         let planner = if self.sheets.are_asked() { sheet_jobs } else { bound_jobs };
-        let Plan { jobs, left_alone, .. } = match self.files.plan_by(self.output.as_deref(), planner) {
+        let Plan { jobs, left_alone, unread, .. } = match self.files.plan_by(self.output.as_deref(), planner)
+        {
             Ok(plan) => plan,
             Err(unplanned) => return Ok(tell_unplanned(&unplanned, console)),
         };
@@ -99,6 +101,7 @@ impl Runs for Render {
             Err(unplanned) => return Ok(tell_unplanned(&unplanned, console)),
         };
         console.note(&left_alone);
+        let searched = tell_unread(&unread, console);
         if self.live.is_some() && !jobs.iter().flat_map(|job| &job.files).any(|f| f.format.live.is_some()) {
             console.error(&format!("`--live` needs `--format {}`", Live::formats()));
             return Ok(Status::Usage);
@@ -115,7 +118,8 @@ impl Runs for Render {
         if let Some(status) = self.sheets.write(&self.files, &jobs, console)? {
             return Ok(status);
         }
-        let (mut status, told) = self.draw_all(&jobs, console)?;
+        let (drawn, told) = self.draw_all(&jobs, console)?;
+        let mut status = drawn.max(searched);
         for document in declared {
             status = status.max(document.write(&self.files, &told, console)?);
         }

@@ -9,7 +9,7 @@ use tracefig::scene::{SceneFile, Solution};
 
 use super::answering::{End, answer_all};
 use super::console::Console;
-use super::inputs::{find_here, shown};
+use super::inputs::{find_here, shown, tell_unread};
 use super::manual::Manual;
 use super::outputs::write_report;
 use super::parallel::threads;
@@ -77,12 +77,12 @@ impl Solve {
             Err(unplanned) => return Ok(tell_unplanned(&unplanned, console)),
         };
         console.note(&found.left_alone());
-        let mut status = Status::Done;
+        let mut status = tell_unread(&found.unread, console);
         for input in found.scenes.iter().map(|scene| &scene.input) {
             match input.open() {
                 Ok(file) if self.json => writeln!(console.out, "{}", json(&input.name(), &file))?,
                 Ok(file) => console.out.write_all(text(&input.shown(), &file).as_bytes())?,
-                Err(refused) => status = console.refuse(&refused)?,
+                Err(refused) => status = status.max(console.refuse(&refused)?),
             }
         }
         Ok(status)

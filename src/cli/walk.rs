@@ -19,8 +19,8 @@ const PASSED_BY: [&str; 2] = ["target", "node_modules"];
 pub(crate) struct Walked {
     /// The scenes, by path.
     pub(crate) scenes: Vec<PathBuf>,
-    /// How many files end as a scene's do and are none.
-    pub(crate) others: usize,
+    /// The files that end as a scene's do and are none, by path.
+    pub(crate) others: Vec<PathBuf>,
     /// The folders that were searched.
     pub(crate) folders: Vec<PathBuf>,
     /// The folders among these that can't be read, and why.
@@ -48,11 +48,12 @@ pub(crate) fn walk(folder: &Path) -> io::Result<Walked> {
             if reads_as_scene(&path) {
                 walked.scenes.push(path);
             } else {
-                walked.others += 1;
+                walked.others.push(path);
             }
         }
     }
     walked.scenes.sort();
+    walked.others.sort();
     Ok(walked)
 }
 

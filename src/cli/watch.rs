@@ -45,6 +45,37 @@ pub(crate) struct Watch {
     output: Option<PathBuf>,
 }
 
+/// What is remembered from one round to the next.
+#[derive(Default)]
+struct Before {
+    /// What was told of each scene.
+    told: Told,
+    /// Those among them that gave no figures: what is told of one that did is true until it is drawn again.
+    refused: BTreeSet<String>,
+    /// The files of all scenes.
+    scenes: BTreeSet<PathBuf>,
+}
+
+impl Before {
+    /// Tells of files that were scenes in the round before and are taken for none by now, as what is left of
+    /// one that is being written.
+    fn tell_of_others(&mut self, jobs: &[Job], console: &Console) {
+        let file = |job: &Job| match &job.input {
+            Input::File(path) => Some(path.clone()),
+            Input::Stdin | Input::Line { .. } => None,
+        };
+        let now: BTreeSet<PathBuf> = jobs.iter().filter_map(file).collect();
+        for path in self.scenes.difference(&now).filter(|path| path.is_file()) {
+            let name = shown(path);
+            let message = format!("note: {name} is no scene any more, and its figures stay as they were\n");
+            console.note(&message);
+            self.told.insert(name.clone(), message);
+            self.refused.insert(name);
+        }
+        self.scenes = now;
+    }
+}
+
 /// What ends a wait.
 enum Wake {
     /// Something changed.
@@ -76,13 +107,14 @@ impl Runs for Watch {
                 return Ok(Status::Io);
             }
         };
-        let (mut told, mut is_planned) = (Told::default(), true);
+        let (mut before, mut is_planned) = (Before::default(), true);
         for round in 0.. {
             match self.files.plan(self.output.as_deref()) {
                 Ok(plan) => {
                     watched.look_at(&self.places(&plan.jobs, &plan.folders), console);
-                    let figures = self.draw(&plan, &mut told, console)?;
-                    let documents = self.documents(&plan, (&mut told, &mut watched), console)?;
+                    before.tell_of_others(&plan.jobs, console);
+                    let figures = self.draw(&plan, &mut before, console)?;
+                    let documents = self.documents(&plan, (&mut before.told, &mut watched), console)?;
                     let drawn = figures + documents.unwrap_or_default();
                     if !is_planned && drawn == 0 && documents.is_some() {
                         console.note("well again\n");
@@ -153,7 +185,7 @@ impl Watch {
 
     /// Draws what is not what it should be, a line for each scene; what was `told` of a scene and has not
     /// changed is not told again. How many scenes were not up to date.
-    fn draw(&self, plan: &Plan, told: &mut Told, console: &mut Console) -> io::Result<usize> {
+    fn draw(&self, plan: &Plan, before: &mut Before, console: &mut Console) -> io::Result<usize> {
         let mut count = 0;
         if !makes_folders(folders_of(&plan.jobs), console) {
             return Ok(plan.jobs.len());
@@ -167,7 +199,8 @@ impl Watch {
         in_order(&plan.jobs, self.files.threads(), work, |job, written| -> io::Result<()> {
             let name = job.input.shown();
             let Some(written) = written.unwrap_or_else(|| Some(Written::bug(&name))) else {
-                if told.remove(&name).is_some_and(|messages| !messages.is_empty()) {
+                if before.refused.remove(&name) {
+                    before.told.remove(&name);
                     console.note(&format!("{name}: well again\n"));
                 }
                 return Ok(());
@@ -176,14 +209,19 @@ impl Watch {
             let mut unfits = Unfits::default();
             unfits.extend(written.unfit);
             let messages = written.messages + &unfits.messages();
-            if !messages.is_empty() && told.get(&name) != Some(&messages) {
+            if !messages.is_empty() && before.told.get(&name) != Some(&messages) {
                 console.out.flush()?;
                 Console::message(&messages);
             }
             if !written.names.is_empty() && !console.is_quiet() {
                 writeln!(console.out, "{name}: {}", written.names.join(", "))?;
             }
-            told.insert(name, messages);
+            if written.names.is_empty() {
+                before.refused.insert(name.clone());
+            } else {
+                before.refused.remove(&name);
+            }
+            before.told.insert(name, messages);
             Ok(())
         })?;
         Ok(count)

@@ -238,14 +238,16 @@ fn points_off(
         (Some((p, q)), Some((r, s))) => Some((p.max(r), q.min(s))),
         _ => None,
     };
-    // How far along the edges the point of A is from ours, as far as they share that.
-    let slid = match shared {
+    // How far along the edges the points are from ours, as far as they share that: halfway between those of A
+    // and B, so that neither is the one that the other is held against.
+    let slid = |side: usize| match shared {
         Some((from, to)) if from <= to => {
-            let own = along.dot(ours.points[0]);
-            along.dot(points[0] - ours.points[0]).max(from - own).min(to - own)
+            let own = along.dot(ours.points[side]);
+            along.dot(points[side] - ours.points[side]).max(from - own).min(to - own)
         }
         _ => 0.0,
     };
+    let slid = f64::midpoint(slid(0), slid(1));
     let off = |side: usize| ((points[side] - ours.points[side] - along * slid).length() - moved).max(0.0);
     Some([off(0), off(1)])
 }

@@ -69,13 +69,20 @@ pub(super) fn damage(format: &'static Format, old: &[u8], new: &[u8]) -> Option<
     } else if !format.bracket.begins.iter().any(|begin| ended.starts_with(begin)) {
         Some(Damage::Other { format: format.name })
     } else if !format.bracket.ends.iter().any(|end| ended.ends_with(end)) {
-        Some(Damage::CutShort { after: old.len() })
+        // What is appended to another picture of the format has that one's end before it.
+        let end = format.bracket.ends.iter().filter_map(|end| Some(rfind(old, end)? + end.len())).max();
+        Some(end.map_or(Damage::CutShort { after: old.len() }, |from| Damage::Appended { from }))
     } else if text.is_err() && format.read.is_some_and(|reader| reader.picture.is_some()) {
         let at = old.iter().zip(new).position(|(a, b)| a != b).unwrap_or(old.len().min(new.len()));
         Some(Damage::Broken { format: format.name, at })
     } else {
         None
     }
+}
+
+/// Where bytes are found last.
+fn rfind(bytes: &[u8], sought: &[u8]) -> Option<usize> {
+    bytes.windows(sought.len()).rposition(|found| found == sought)
 }
 
 impl fmt::Display for Damage {
@@ -139,6 +146,12 @@ mod tests {
             let mut older = new(name)[..5000].to_vec();
             older[100] = b'y';
             assert_eq!(said(name, &older), "the file is cut short after 5,000 bytes", "an older one");
+            let mut longer = new(name);
+            longer[100] = b'y';
+            let end = grouped(longer.len());
+            longer.extend(b"zz");
+            let goes_on = format!("the file goes on after its end, from byte {end} on");
+            assert_eq!(said(name, &longer), goes_on, "an older one");
         }
         assert_eq!(said("png", b"<html>not found</html>"), "the file is not a PNG");
         assert_eq!(said("svg", b"version https://git-lfs.example/spec/v1"), "the file is not an SVG");

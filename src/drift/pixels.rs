@@ -73,7 +73,8 @@ impl fmt::Display for PixelDrift {
         if (w, h) != (x, y) {
             write!(f, "on disk {w} × {h} pixels, now {x} × {y}; ")?;
         }
-        write!(f, "{changed} pixels differ, by {worst} of 255 levels at most")?;
+        let pixels = if *changed == 1 { "pixel differs" } else { "pixels differ" };
+        write!(f, "{changed} {pixels}, by {worst} of 255 levels at most")?;
         if let Some([x0, y0, x1, y1]) = area {
             write!(f, ", within x {x0} – {x1}, y {y0} – {y1}")?;
         }

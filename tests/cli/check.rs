@@ -49,6 +49,34 @@ fn check_tells_identical_stale_and_missing_and_accepts() {
     assert_eq!(check(&[]).code, Some(0));
 }
 
+/// It was counted as stale and as an error, and a CI had two cases of one name.
+#[cfg(unix)]
+#[test]
+fn a_file_that_can_not_be_accepted_is_one_finding() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = folder_with("tracefig.toml", "");
+    let here = folder.path();
+    fs::create_dir(here.join("docs")).unwrap();
+    fs::write(here.join("docs/s.toml"), drawn()).unwrap();
+    assert_eq!(run(tracefig(here).args(["render", "docs", "--format", "svg"])).code, Some(0));
+    fs::write(here.join("docs/s.toml"), drawn().replace("position = [4, 0]", "position = [5, 0]")).unwrap();
+    let allow = |mode| fs::set_permissions(here.join("docs"), fs::Permissions::from_mode(mode)).unwrap();
+    allow(0o555);
+    // Whoever may write everywhere has it accepted.
+    let is_held = fs::write(here.join("docs/probe"), "").is_err();
+    let ran = run(tracefig(here).args(["check", "docs", "--format", "svg", "--accept", "-o", "drift"]));
+    allow(0o755);
+    if is_held {
+        assert_eq!(ran.code, Some(74), "{}{}", ran.out, ran.err);
+        assert!(
+            ran.out.contains("0 identical, 0 changed, 1 stale, 0 missing, 0 of 1 accepted\n"),
+            "{}",
+            ran.out
+        );
+        assert!(ran.out.contains("can't write docs/s.svg"), "{}", ran.out);
+    }
+}
+
 #[test]
 fn a_document_of_several_figures_is_compared_with_what_render_would_write() {
     let folder = folder_with("a.toml", &drawn());
@@ -136,7 +164,7 @@ fn a_pixel_changed_by_hand_is_found_and_tolerance_is_what_it_says() {
     let ran = run(&[&["check", "s.toml"][..], &small].concat());
     assert_eq!(ran.code, Some(1));
     assert!(
-        ran.out.contains("1 pixels differ, by 5 of 255 levels at most, within x 20 – 21, y 10 – 11"),
+        ran.out.contains("1 pixel differs, by 5 of 255 levels at most, within x 20 – 21, y 10 – 11"),
         "{}",
         ran.out
     );
@@ -382,7 +410,7 @@ fn a_page_that_is_not_there_is_not_named() {
     fs::write(here.join("drift"), "mine").unwrap();
     let got = check(&["-o", "drift"]);
     assert_eq!(got.code, Some(74));
-    assert!(!got.out.contains("drift/s.png: ") && !got.out.contains("all of it"), "{}", got.out);
+    assert!(!got.out.contains("drift/s.png: on disk") && !got.out.contains("all of it"), "{}", got.out);
     // A folder in the place of a figure.
     fs::remove_file(here.join("s.png")).unwrap();
     fs::create_dir_all(here.join("s.png/x")).unwrap();

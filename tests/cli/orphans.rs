@@ -82,8 +82,11 @@ fn a_folder_without_permission_is_an_error_and_its_figures_stay() {
         let ran = check(here, &["--prune"]);
         assert_eq!((ran.code, orphans(&ran)), (Some(74), vec![]), "{}{}", ran.out, ran.err);
         assert!(ran.err.contains("error: can't read the folder docs/scenes/de: "), "{}", ran.err);
-        let ran = run(tracefig(here).arg("render"));
-        assert!(ran.err.contains("note: can't read the folder docs/scenes/de: "), "{}", ran.err);
+        for command in ["render", "solve"] {
+            let ran = run(tracefig(here).args([command, "--quiet"]));
+            assert_eq!(ran.code, Some(74), "{command}: {}", ran.err);
+            assert!(ran.err.contains("error: can't read the folder docs/scenes/de: "), "{}", ran.err);
+        }
     }
     allow(0o755);
     assert_eq!(pictures(here).len(), 3);

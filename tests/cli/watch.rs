@@ -122,6 +122,13 @@ fn what_is_up_to_date_is_said_and_so_is_what_is_well_again() {
     running.says("error[unknown-key]: unknown key `raduis`");
     write("docs/s.toml", &drawn());
     running.says("docs/s.toml: well again");
+    // What is left of a scene while it is written is none, and its figure is of before.
+    for rest in ["", "broken = ["] {
+        write("docs/s.toml", rest);
+        running.says("note: docs/s.toml is no scene any more, and its figures stay as they were");
+        write("docs/s.toml", &drawn());
+        running.says("docs/s.toml: well again");
+    }
 
     let project = fs::read_to_string(here.join("tracefig.toml")).unwrap();
     write("tracefig.toml", &project.replace("output", "outptu"));
@@ -132,6 +139,20 @@ fn what_is_up_to_date_is_said_and_so_is_what_is_well_again() {
     fs::remove_file(here.join("img/deep/t.svg")).unwrap();
     running.says("docs/deep/t.toml: img/deep/t.svg");
     assert!(here.join("img/deep/t.svg").exists());
+    assert_eq!(running.interrupted(), Some(0));
+}
+
+/// A warning was taken back where the file was written once more, as it was.
+#[test]
+fn what_is_told_of_a_figure_holds_until_it_is_drawn_again() {
+    let text = format!("{}title = 'by {{=depth}}'\n", drawn());
+    let folder = folder_with("s.toml", &text);
+    let write = |text: &str| fs::write(folder.path().join("s.toml"), text).unwrap();
+    let running = Running::watch(folder.path(), &["s.toml", "--format", "svg"]);
+    assert!(running.says("s.toml: s.svg").len() > 1, "nothing is told of a depth that is none");
+    write(&text);
+    write(&drawn().replace("radius = 1", "radius = 1.5"));
+    assert!(running.says("s.toml: s.svg").iter().all(|line| !line.ends_with("well again")));
     assert_eq!(running.interrupted(), Some(0));
 }
 

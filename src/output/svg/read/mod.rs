@@ -64,7 +64,9 @@ pub(super) fn picture(bytes: &[u8]) -> Result<Picture<'_>, Unread> {
 /// or has too much of something, which is then told.
 fn read(document: &Document<'_>, too_much: &mut Option<TooMuch>) -> Option<Picture<'static>> {
     let root = document.root_element();
-    if root.attribute("fill") != Some("none") || root.has_attribute("stroke") {
+    // Without the role a reader that speaks reads the picture's pieces, and with another one nothing.
+    let is_ours = root.attribute("role") == Some("img") && root.attribute("fill") == Some("none");
+    if !is_ours || root.has_attribute("stroke") {
         return None;
     }
     let prefix = root.attribute("aria-labelledby")?.split_once("-title")?.0.to_owned();
