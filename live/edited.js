@@ -78,6 +78,7 @@ class Edited {
         const written = toml(edited(this.scene, this.edits.values()));
         try {
             await navigator.clipboard.writeText(written);
+            clearTimeout(this.voice); // What it would say is said along.
             this.tell(`${this.word("copied")} ${this.words()}`, this.language);
         } catch {
             const named = { class: "text", readonly: "", rows: 12, "aria-label": this.word("text") };
@@ -134,7 +135,8 @@ class Edited {
         for (const handle of [...this.info.handles, ...clock]) {
             const numbers = said.get(addressOf(handle.paths[0]))?.split(",").map(Number);
             if (numbers?.length !== [handle.value].flat().length || !numbers.every(Number.isFinite)) continue;
-            this.attempt(handle, Array.isArray(handle.value) ? numbers : numbers[0]);
+            // What an address says is set or not, as what is typed.
+            this.attempt(handle, Array.isArray(handle.value) ? numbers : numbers[0], 0);
         }
         if (parts.length > 0) this.settleNow();
     }

@@ -1,6 +1,8 @@
 //! Options that change nothing of what their layer draws, as `centers` of a ghost that has no centre of its
 //! own: found by drawing the panel without them.
 
+use std::ops::Range;
+
 use crate::geometry::sort_by;
 use crate::scene::{LayerSpec, Scene, Variant};
 
@@ -26,10 +28,11 @@ pub(super) fn idle(
     let specs = || scene.panels.iter().flat_map(|panel| panel.layers.iter().flatten());
     let flags_of = |planned: &LayerPlan| -> Option<Flags<'_>> {
         let spec = specs().find(|spec| spec.name.span == planned.span)?;
-        let is_told =
-            |p: &Problem| planned.span == p.span || spec.options.iter().any(|(key, _)| key.span == p.span);
+        let is_told = |span: &Range<usize>| told.iter().any(|p| p.span == *span);
+        let told_of = |name| spec.options.iter().any(|(key, _)| key.value == name && is_told(&key.span));
         let flags = planned.layer.options.iter().filter(|option| is_unusual(option, &planned.options));
-        (!told.iter().any(is_told)).then(|| Flags { spec, names: flags.map(|option| option.name).collect() })
+        let names = flags.map(|option| option.name).filter(|name| !told_of(*name));
+        (!is_told(&planned.span)).then(|| Flags { spec, names: names.collect() })
     };
     let of_panel = |(panel, own): (&PanelPlan, &Sketched)| -> Vec<Problem> {
         let layers = panel.layers.iter().filter(|_| panel.source.inset.is_none());
@@ -117,6 +120,9 @@ mod tests {
         assert_eq!(told("{ layer = 'separation', points = true }"), [""; 0]);
         let two = "{ layer = 'shapes', of = 'car', dotted = true, centers = true },
                    { layer = 'shapes', of = 'car', dotted = true }";
+        // What is told of one says nothing of the others.
+        let both = told("{ layer = 'separation', rival = true, disc = true }");
+        assert!(both.len() == 2 && both[1] == idle("rival", "separation")[0], "{both:?}");
         assert_eq!(told(two), [idle("dotted", "shapes"), idle("dotted", "shapes")].concat());
     }
 }

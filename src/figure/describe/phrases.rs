@@ -19,8 +19,8 @@ phrases! {
     NO_FARTHER_BY: "no point of * travels farther than *: * with the velocity and at most * with the turn.",
         "kein Punkt von * bewegt sich weiter als *: * durch die Geschwindigkeit, höchstens * durch die \
          Drehung.",
-        "aucun point de * ne se déplace de plus de * : * avec la vitesse et au plus * avec la rotation.",
-        "ningún punto de * se mueve más de *: * con la velocidad y como máximo * con el giro.";
+        "aucun point de * ne se déplace de plus de * : * par la vitesse et au plus * par la rotation.",
+        "ningún punto de * se mueve más de *: * por la velocidad y como máximo * por el giro.";
     /// The bound of two.
     NO_NEARER: "no two points of * and * come nearer to each other by more than *.",
         "ein Punkt von * und einer von * nähern sich nie um mehr als *.",
@@ -31,9 +31,9 @@ phrases! {
         and at most * with the turns.",
         "ein Punkt von * und einer von * nähern sich nie um mehr als *: * durch die Geschwindigkeiten und \
         höchstens * durch die Drehungen.",
-        "un point de * et un de * ne se rapprochent jamais de plus de * : * avec les vitesses et au plus * \
-        avec les rotations.",
-        "un punto de * y uno de * nunca se acercan más de *: * con las velocidades y como máximo * con los \
+        "un point de * et un de * ne se rapprochent jamais de plus de * : * par les vitesses et au plus * \
+        par les rotations.",
+        "un punto de * y uno de * nunca se acercan más de *: * por las velocidades y como máximo * por los \
          giros.";
     /// No verdict.
     UNSAID: "rounding forbids to say whether * and * overlap.",
@@ -211,12 +211,12 @@ phrases! {
     CLOSEST_FIRST: "; they are closest at the start, * apart",
         "; am nächsten sind sie sich am Anfang, mit Abstand *",
         " ; ils sont au plus près au début, à une distance de *",
-        "; su menor distancia es al principio: *";
+        "; su menor distancia se da al principio: *";
     /// The closest approach: when, how far apart.
     CLOSEST: "; they come closest at t = *, * apart",
         "; am nächsten sind sie sich bei t = *, mit Abstand *",
         " ; ils sont au plus près à t = *, à une distance de *",
-        "; su menor distancia es en t = *: *";
+        "; su menor distancia se da en t = *: *";
     /// How near a miss is known to come, where a nearer moment may have been missed: how far apart, when, and
     /// what is proved.
     NO_NEARER_THAN: "; they come as near as * at t = *, and never nearer than *",

@@ -21,29 +21,24 @@ use super::{Fed, LabelKey, Layer, OptionSpec, Options, STEPS, Shows, Takes, Tell
 
 /// The word for bodies pushed apart by the minimum translation, which is no moment.
 const SEPARATED: &str = "separated";
-/// The word for bodies pushed apart by the next longer way out, which is no moment either.
+/// The word for bodies pushed apart by the next longer way out.
 const RIVAL: &str = "rival";
 /// The word for bodies where they are, in a panel that draws them solid where they are pushed to.
 const NOW: &str = "now";
 
-/// Opacity of a ghost's fill: enough to see that it is a body, too little to be taken for one that is there.
+/// Opacity of a ghost's fill: a body is seen, and not taken for one that is there.
 pub(super) const FAINT: f64 = 0.06;
-
-/// A body that is pushed by less is drawn where it was, page pixels: the width of its line. Its name would
-/// stand in, or beside, the body that is there.
+/// A body that is pushed by less, the width of its line in page pixels, is drawn where it was.
 const UNSEEN: f64 = 2.25;
-
-/// How many degrees a body turns before it stands as it stood: from there on the picture of both says too
-/// little.
+/// How many degrees a body turns before it stands as it stood, and a picture of both says too little.
 const WHOLE_TURN: f64 = 360.0;
-/// The least turn that is written of a body that looks the same after it, degrees: less is 0.0 in [`TENTHS`].
+/// The least turn that is written of a body that looks the same after it, degrees.
 const SEEN_TURN: f64 = 0.05;
 /// Digits of how far a body turned that is seen in another pose.
 const TENTHS: Digits = Digits::Decimals(1);
 
 /// How many ghosts of a series are drawn at most, the last included; more are a blur.
 const MOST: usize = 5;
-
 /// Opacity of the first ghost of a series, and of the last but one.
 const SERIES: [f64; 2] = [0.5, 0.75];
 
@@ -311,8 +306,7 @@ pub(super) fn ghost(
     outline: &Outline,
     lines: Vec<String>,
 ) {
-    let role = options.role(side.into());
-    let (wash, pen) = look(options, role);
+    let (wash, pen) = look(options, options.role(side.into()));
     sketch.part(part("ghost", side)).weight(Weight::Light).area(outline, wash, Some(pen));
     sketch.label(label(options, side, outline, lines));
 }
@@ -326,9 +320,9 @@ fn label(options: &Options, side: Side, outline: &Outline, lines: Vec<String>) -
 }
 
 /// Steps before the last with their numbers: of more than [`MOST`] those that are farthest from each other,
-/// from the start and from the last in time, one by one. An advancement closes in, and its last steps lie on
+/// from the start and from the last in time, one by one; before them the first if it is given. An advancement closes in, and its last steps lie on
 /// each other.
-fn apart(before: &[f64], last: f64) -> Vec<(usize, f64)> {
+fn apart(first: Option<f64>, before: &[f64], last: f64) -> Vec<(usize, f64)> {
     let mut kept: Vec<usize> = Vec::new();
     while kept.len() + 1 < MOST && kept.len() < before.len() {
         let room = |i: usize| {
@@ -340,47 +334,50 @@ fn apart(before: &[f64], last: f64) -> Vec<(usize, f64)> {
         kept.extend(free.max_by(|&i, &j| room(i).total_cmp(&room(j))));
     }
     sort_by(&mut kept, usize::cmp);
-    kept.into_iter().map(|i| (i + 2, before[i])).collect()
+    first.map(|t| (1, t)).into_iter().chain(kept.into_iter().map(|i| (i + 2, before[i]))).collect()
 }
 
-/// Draws the body at each step after the first, each with its time or number; of more than [`MOST`] those
-/// that are [`apart`] and the last, which is named.
+/// Draws the body at each step where it is not now, with its time or number; of more than [`MOST`] after the
+/// first those that are [`apart`] and the last, which is named.
 fn steps(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) {
     // What rests is nowhere else at any step.
     if options.words("of").is_none() && context.pose(side, 0.0) == context.pose(side, 1.0) {
         return;
     }
-    let times: Vec<f64> = context.steps().into_iter().skip(1).collect();
-    let Some((&last, before)) = times.split_last() else { return };
-    let (role, numbered) = (options.role(side.into()), options.flag("numbered", false));
-    let solid = options.flag("solid", false);
+    let times = context.steps();
+    let [first, before @ .., last] = &times[..] else { return };
+    let now = context.outline(side, context.time).filter(|_| !context.play.moves());
+    let unseen = sketch.px(UNSEEN);
+    let is_here = |then: &Outline| now.as_ref().is_some_and(|now| look_alike(now, then, unseen));
+    let elsewhere = |time: f64| context.outline(side, time).filter(|then| !is_here(then));
+    let role = options.role(side.into());
+    let [numbered, solid] = ["numbered", "solid"].map(|flag| options.flag(flag, false));
     let then = |step: usize, time: f64| {
         if numbered { format!("$t_{{{step}}}$") } else { format!("$t = {}$", number(time)) }
     };
     let at = |then: String| format!("{} at {then}", context.named(side).primed(0));
-    let kept = apart(before, last);
-    for (&(step, time), opacity) in kept.iter().zip(fade(SERIES, kept.len())) {
-        sketch.since(context.known(&When::Step(step)));
-        let (wash, pen) = look(options, role);
-        if let Some(outline) = context.outline(side, time) {
-            // Bodies that are there are all as much there, and named alike.
-            let pen = Some(if solid { pen } else { pen.opacity(opacity) });
-            sketch.part(part("ghost", side)).weight(Weight::Light).area(&outline, wash, pen);
-            center(sketch, context, options, (side, time));
-            let label = Label::new("then", then(step, time), Anchor::inside(&outline), role).rank(Rank::Word);
-            sketch.label(if solid && numbered {
-                Label { lines: vec![at(then(step, time))], ..label }.size(Size::Note)
-            } else {
-                label.size(Size::Small)
-            });
-        }
+    let kept = apart(now.as_ref().map(|_| *first), before, *last);
+    for ((step, time), opacity) in kept.iter().zip(fade(SERIES, kept.len())) {
+        let Some(outline) = elsewhere(*time) else { continue };
+        sketch.since(context.known(&When::Step(*step)));
+        let ((wash, pen), then) = (look(options, role), then(*step, *time));
+        // Bodies that are there are all as much there, and named alike.
+        let pen = Some(if solid { pen } else { pen.opacity(opacity) });
+        sketch.part(part("ghost", side)).weight(Weight::Light).area(&outline, wash, pen);
+        center(sketch, context, options, (side, *time));
+        let label = Label::new("then", &then, Anchor::inside(&outline), role).rank(Rank::Word);
+        sketch.label(if solid && numbered {
+            Label { lines: vec![at(then)], ..label }.size(Size::Note)
+        } else {
+            label.size(Size::Small)
+        });
     }
-    if let Some(outline) = context.outline(side, last) {
-        let count = times.len() + 1;
+    if let Some(outline) = elsewhere(*last) {
+        let (count, last) = (times.len(), *last);
         sketch.since(context.known(&When::Step(count)));
         way(sketch, context, options, (side, last));
-        let text =
-            if numbered { vec![at(then(count, last))] } else { at_moment(context, side, &number(last)) };
+        let named = || at_moment(context, side, &number(last));
+        let text = if numbered { vec![at(then(count, last))] } else { named() };
         ghost(sketch, options, side, &outline, text);
         center(sketch, context, options, (side, last));
     }

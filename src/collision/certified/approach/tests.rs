@@ -132,8 +132,10 @@ fn turns_without_end_leave_a_bound_that_holds_and_cost_what_they_may() {
 /// Four looks at a motion found the nearest of none of the turns, and the bound was 0 of 335.
 #[test]
 fn bodies_far_apart_that_turn_fast_have_a_bound_of_their_reach_and_the_nearest_of_their_turns() {
-    let a = [[0.532969, 0.846135], [-0.506671, 0.862140], [-0.721789, 0.692114], [-0.808910, 0.587933]];
-    let b = [[0.792640, 0.609690], [0.445818, 0.895124], [-0.085376, 0.996349], [0.884628, -0.466296]];
+    let a =
+        [[0.532_969, 0.846_135], [-0.506_671, 0.862_140], [-0.721_789, 0.692_114], [-0.808_910, 0.587_933]];
+    let b =
+        [[0.792_640, 0.609_690], [0.445_818, 0.895_124], [-0.085_376, 0.996_349], [0.884_628, -0.466_296]];
     let turning = |body: Body, rad: f64| Body { spin: Angle::Radians(rad), ..body };
     for far in [300.0, 2e5, 2e8] {
         let a = turning(moving(polygon(&a, 0.0), [-66.0, -277.0], 0.0), -81.3);

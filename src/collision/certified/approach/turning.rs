@@ -12,8 +12,6 @@
 //! that, moments as dense as the bodies turn are looked at, and a bound is always left that needs no walk:
 //! however a body turns, it stays within the circle about its origin that reaches as far.
 
-use std::iter::successors;
-
 use crate::collision::answer::Separation;
 use crate::collision::certified::approach::least::least;
 use crate::collision::certified::approach::straight;
@@ -22,20 +20,17 @@ use crate::collision::certified::impact::axis::Axis;
 use crate::collision::certified::impact::closest::{closest_features, separation_at};
 use crate::collision::certified::impact::gap::Precision;
 use crate::collision::feature::{DifferenceFeature, a_then_b};
-use crate::geometry::{Angle, Body, Dd, Shape, Side, sort_by};
+use crate::geometry::{Angle, Body, Dd, Shape, Side};
 
 /// Moments besides the start at which the separation is looked at first. Each minimum that they miss costs
 /// another walk.
-const SAMPLES: u32 = 4;
+const SAMPLES: f64 = 4.0;
 
 /// Moments for each radian that the bodies turn, and how many at most, where the work did not do for a proof:
 /// a body of four vertices has a minimum in each 1.6.
-const DENSE: f64 = 8.0;
+const DENSE: f64 = 16.0;
 /// At most so many.
 const MOST_DENSE: f64 = 4096.0;
-
-/// Of those moments, the minima that are followed down.
-const LOWEST: usize = 4;
 
 /// How exactly the moment is looked for, in radians of turning and in parts of the motion: the separation is
 /// off by half of its square times the reach, about a rounding.
@@ -85,17 +80,14 @@ pub(crate) fn closest(pair: &MovingPair) -> (f64, Separation, f64) {
 /// A lower bound of the separation at any time in [0, 1], world units, however the bodies turn: that of what
 /// does not turn, and of circles about the origins of those that do.
 fn between_circles(a: &Body, b: &Body) -> f64 {
-    let still = |body: &Body| {
-        if !body.turns() {
-            return Some(body.clone());
-        }
+    let mut still = [a.clone(), b.clone()];
+    for body in still.iter_mut().filter(|body| body.turns()) {
         // Its reach is known to a few roundings.
         let reach = (body.shape.hull.reach + body.shape.radius) * (1.0 + 8.0 * f64::EPSILON);
-        let shape = Shape::circle(reach).ok()?;
-        Some(Body { shape, angle: Angle::Degrees(0.0), spin: Angle::Degrees(0.0), ..body.clone() })
-    };
-    let circles = still(a).zip(still(b));
-    circles.map_or(f64::NEG_INFINITY, |(a, b)| straight::closest(&a, &b).2)
+        let Ok(circle) = Shape::circle(reach) else { return f64::NEG_INFINITY };
+        (body.shape, body.spin) = (circle, Angle::Degrees(0.0));
+    }
+    straight::closest(&still[0], &still[1]).2
 }
 
 /// A moment and the separation then, in doubles and scaled.
@@ -133,38 +125,34 @@ impl<'p, 'q> Approach<'p, 'q> {
     /// The search after a first look.
     fn sampled(pair: &'p MovingPair<'q>) -> Self {
         let left = WORK + QUERIES * vertices(pair);
-        let mut approach =
-            Self { pair, best: Closest { time: 0.0, separation: f64::INFINITY }, left, is_dense: false };
-        let moment = |k: u32| f64::from(k.min(SAMPLES)) / f64::from(SAMPLES);
-        let mut nearest = 0;
-        for k in 0..=SAMPLES {
-            if approach.offer(approach.look(moment(k))) {
-                nearest = k;
-            }
-        }
-        approach.descend([moment(nearest.saturating_sub(1)), moment(nearest + 1)]);
+        let best = Closest { time: 0.0, separation: f64::INFINITY };
+        let mut approach = Self { pair, best, left, is_dense: false };
+        approach.look_evenly(SAMPLES);
         approach
+    }
+
+    /// A look at the start and so many moments after it, and at what is about the nearest of them.
+    fn look_evenly(&mut self, count: f64) {
+        let (mut k, mut nearest) = (0.0, None);
+        while k <= count {
+            if self.offer(self.look(k / count)) {
+                nearest = Some(k);
+            }
+            k += 1.0;
+        }
+        if let Some(k) = nearest {
+            self.descend([k - 1.0, k + 1.0].map(|k| (k / count).clamp(0.0, 1.0)));
+        }
     }
 
     /// A look at moments as dense as the bodies turn, with a quarter of the work that is left: once.
     fn look_densely(&mut self) {
-        if self.is_dense {
-            return;
-        }
-        self.is_dense = true;
-        let turned = self.pair.rate[0].abs() + self.pair.rate[1].abs();
-        let affordable = u32::try_from(self.left / 4 / vertices(self.pair).max(1)).unwrap_or(u32::MAX);
-        let count = (DENSE * turned).min(MOST_DENSE).min(f64::from(affordable)).max(1.0);
-        let next = |t: &f64| (*t < 1.0).then(|| (t + 1.0 / count).min(1.0));
-        let found: Vec<Closest> = successors(Some(0.0), next).map(|t| self.look(t)).collect();
-        self.left = self.left.saturating_sub(found.len() * vertices(self.pair));
-        let beside = |k: usize| [found[k.saturating_sub(1)], found[(k + 1).min(found.len() - 1)]];
-        let is_low = |k: &usize| beside(*k).iter().all(|other| found[*k].separation <= other.separation);
-        let mut low: Vec<usize> = (0..found.len()).filter(is_low).collect();
-        sort_by(&mut low, |k, l| found[*k].separation.total_cmp(&found[*l].separation));
-        for k in low.into_iter().take(LOWEST) {
-            self.offer(found[k]);
-            self.descend(beside(k).map(|moment| moment.time));
+        if !self.is_dense {
+            self.is_dense = true;
+            let turned = self.pair.rate[0].abs() + self.pair.rate[1].abs();
+            let affordable =
+                u32::try_from(self.left / 4 / vertices(self.pair).max(1)).map_or(MOST_DENSE, f64::from);
+            self.look_evenly((DENSE * turned).min(MOST_DENSE).min(affordable).floor().max(SAMPLES));
         }
     }
 

@@ -103,15 +103,15 @@ phrases! {
         "* est arrondi d’un rayon de *.",
         "* está redondeado con un radio de *.";
     /// The point of an edge that is nearest to the origin, and how far the origin is from there.
-    PROJECTED: "Its point nearest to the origin is *, *.",
-        "Ihr dem Ursprung nächster Punkt ist *, *.",
-        "Son point le plus proche de l’origine est *, *.",
-        "Su punto más cercano al origen es *, *.";
+    PROJECTED: "Nearest to the origin is *, *.",
+        "Dem Ursprung am nächsten ist *, *.",
+        "Le plus proche de l’origine est *, *.",
+        "Lo más cercano al origen es *, *.";
     /// The best edge so far of those that the origin is inside of: distance, place, edge, body.
-    LEAST_PENETRATING: "Least depth so far: * at *, by * of *.",
-        "Bisher kleinste Tiefe: * bei *, durch * von *.",
-        "Moindre profondeur jusqu’ici : * en * (* de *).",
-        "Menor profundidad hasta ahora: * en * (* de *).";
+    LEAST_PENETRATING: "Least depth so far, if the origin is inside: * at *, by * of *.",
+        "Bisher kleinste Tiefe, falls der Ursprung innen liegt: * bei *, durch * von *.",
+        "Moindre profondeur jusqu’ici, si l’origine est à l’intérieur : * en * (* de *).",
+        "Menor profundidad hasta ahora, si el origen está dentro: * en * (* de *).";
     /// The best one so far of those that it is outside of.
     LEAST_POSITIVE: "Least distance so far: * at *, by * of *.",
         "Bisher kleinster Abstand: * bei *, durch * von *.",
