@@ -50,7 +50,7 @@ pub(crate) struct Watch {
 struct Before {
     /// What was told of each scene.
     told: Told,
-    /// Those among them that gave no figures: what is told of one that did is true until it is drawn again.
+    /// Scenes among them that gave no figures: what is told of one that did is true until it is drawn again.
     refused: BTreeSet<String>,
     /// The files of all scenes.
     scenes: BTreeSet<PathBuf>,

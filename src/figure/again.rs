@@ -42,7 +42,7 @@ pub(crate) enum Nearest {
 pub(crate) struct Often(OnceLock<Nearest>);
 
 impl Often {
-    /// How often the bodies of a scene are as near as at `time`, with these bounds of their least distance, in
+    /// How often the bodies of a scene are as near as at `time`, with these bounds of their least distance,
     /// world units: those of the run's closest approach. Of bodies that do not turn it is one piece of time.
     pub(crate) fn of(&self, scene: &Scene, time: f64, bounds: Enclosure) -> Nearest {
         let found =

@@ -57,8 +57,8 @@ const CLOSEST: AnswerField = AnswerField {
     inner: &[
         AnswerField::always(
             "time",
-            "when the bodies are closest, in [0, 1]; where one turns, as far as is found: at no other time are \
-             they nearer by more than `separation_bounds` are wide",
+            "when the bodies are closest, in [0, 1]; where one turns, as far as is found: at no other time \
+             are they nearer by more than `separation_bounds` are wide",
         ),
         AnswerField::always("separation", "how far apart they are then, world units"),
         AnswerField::always("separation_bounds", "[lo, hi], which enclose the least separation over [0, 1]"),
@@ -82,20 +82,21 @@ const OFF: AnswerField = AnswerField {
             "an `expected` that has it",
             "separation",
             "how far it is outside the bounds, world units, negative below them; null where ours has none. \
-             The bounds of a verdict suffice for it alone, and a separating axis has no upper one: there those \
-             of `closest-features`",
+             The bounds of a verdict suffice for it alone, and a separating axis has no upper one: there \
+             those of `closest-features`",
         ),
         AnswerField::of("an `expected` that has it", "separation_in_eps", "that in units of S ε"),
         AnswerField::of(
             "an `expected` that has it",
             "time",
-            "how far it is outside the bounds, negative before them, of bodies that overlap at the start from \
-             0; null where ours has none",
+            "how far it is outside the bounds, negative before them, of bodies that overlap at the start \
+             from 0; null where ours has none",
         ),
         AnswerField::of(
             "an `expected` that has it",
             "normal_deg",
-            "angle between the normals, in degrees, where several tie to the nearest; null where ours has none",
+            "angle between the normals, in degrees, where several tie to the nearest; null where ours has \
+             none",
         ),
         AnswerField::of(
             "an `expected` that has it",

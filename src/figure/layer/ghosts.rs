@@ -320,8 +320,8 @@ fn label(options: &Options, side: Side, outline: &Outline, lines: Vec<String>) -
 }
 
 /// Steps before the last with their numbers: of more than [`MOST`] those that are farthest from each other,
-/// from the start and from the last in time, one by one; before them the first if it is given. An advancement closes in, and its last steps lie on
-/// each other.
+/// from the start and from the last in time, one by one, before them the first if it is given. An advancement
+/// closes in, and its last steps lie on each other.
 fn apart(first: Option<f64>, before: &[f64], last: f64) -> Vec<(usize, f64)> {
     let mut kept: Vec<usize> = Vec::new();
     while kept.len() + 1 < MOST && kept.len() < before.len() {

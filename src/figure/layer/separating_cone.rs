@@ -265,15 +265,13 @@ fn square(sketch: &mut Sketch, cone: &Cone, origin: DVec2, (role, names, lit): (
     sketch.line(at(other, 0.0), at(end + out * tick, 0.0), Pen::vector(Role::Ink).width(TANGENT));
     right_angle(sketch, origin, [angle_of(cone.normal), angle_of(along * -out)]);
     if names {
-        // On the side where B ⊖ A is not.
         let anchor = Anchor::point_toward(at(0.6 * other, 0.0), -cone.normal);
         let label = Label::new("line", "square to $n$", anchor, Role::Ink);
         sketch.label(label.rank(Rank::Word).size(Size::Note));
     }
     sketch.part("gap-line").weight(Weight::Light);
-    // From what is nearest, which a tangent need not touch.
-    let outward = cone.nearest.iter().map(|p| out * along.dot(*p - origin)).fold(f64::NEG_INFINITY, f64::max);
-    sketch.line(at(out * outward, cone.gap), at(end + out * tick, cone.gap), Pen::extension());
+    let least = cone.nearest.iter().map(|p| out * along.dot(*p - origin)).fold(f64::NEG_INFINITY, f64::max);
+    sketch.line(at(out * least, cone.gap), at(end + out * tick, cone.gap), Pen::extension());
     let (from, to) = (at(end, 0.0), at(end, cone.gap));
     sketch.part("gap").dimension(from, to, 0.0, Pen::dimension(role).width(1.5));
     let text = format!("gap $= {}$", number(cone.gap));
