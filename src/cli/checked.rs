@@ -78,7 +78,7 @@ impl Checked {
 
     /// Adds a file that could not be checked, and why, which is said.
     pub(crate) fn fail(&mut self, file: &str, status: Status, message: &str) {
-        self.messages.push_str(message);
+        self.say(message);
         self.miss(file, status, message);
     }
 

@@ -34,6 +34,8 @@ pub(crate) enum Nearest {
     Again,
     /// All the time.
     Always,
+    /// Nobody knows: they turn too fast for a proof that they are hardly nearer at any other moment.
+    Unknown,
 }
 
 /// How often the bodies of one run are as near as at their closest, found when it is first asked: every
@@ -45,28 +47,23 @@ impl Often {
     /// How often the bodies of a scene are as near as at `time`, with these bounds of their least distance,
     /// world units: those of the run's closest approach. Of bodies that do not turn it is one piece of time.
     pub(crate) fn of(&self, scene: &Scene, time: f64, bounds: Enclosure) -> Nearest {
-        let found =
-            || if is_known(scene, time, bounds) { nearest(scene, time, bounds.hi) } else { Nearest::Once };
-        *self.0.get_or_init(found)
+        *self.0.get_or_init(|| nearest(scene, time, bounds))
     }
 }
 
-/// Whether bodies that have these bounds of their least distance, world units, are proved to be hardly
-/// nearer at any moment than at `time`: where they turn too fast, a nearer moment may have been missed.
-pub(crate) fn is_known(scene: &Scene, time: f64, bounds: Enclosure) -> bool {
-    bounds.hi - bounds.lo <= KNOWN * scene.query_at(time).rounding()
-}
-
 /// [`Often::of`], found anew.
-fn nearest(scene: &Scene, time: f64, distance: f64) -> Nearest {
+fn nearest(scene: &Scene, time: f64, bounds: Enclosure) -> Nearest {
     let query = scene.query_at(time);
+    if bounds.hi - bounds.lo > KNOWN * query.rounding() {
+        return Nearest::Unknown;
+    }
     let turned = |b: &&Body| query.a.spin.radians().abs() + b.spin.radians().abs();
     let Some(b) = query.b.filter(|b| turned(b) > 0.0 && turned(b) <= MOST_TURNED) else {
         return Nearest::Once;
     };
     let apart = |t: f64| Pair::at(query.a, b, t).separation().separation;
     let moments: Vec<f64> = (0..=MOMENTS).map(|k| f64::from(k) / f64::from(MOMENTS)).collect();
-    let near = distance + query.rounding();
+    let near = bounds.hi + query.rounding();
     let all: Vec<f64> = moments.iter().map(|&t| apart(t)).collect();
     if all.iter().all(|&s| s <= near) {
         return Nearest::Always;
@@ -114,7 +111,7 @@ mod tests {
         let query = scene.query_at(0.0);
         let swept = ALGORITHMS.iter().find(|algorithm| algorithm.name == "swept-axis").unwrap();
         let closest = closest_approach(&query, &swept.ask(&query)).unwrap();
-        nearest(&scene, closest.time, closest.bounds.hi)
+        nearest(&scene, closest.time, closest.bounds)
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! What came out, as a sentence.
 
 use crate::collision::{Answer, Contact, Impact, MotionBound, Outcome, Overlap, Pair, Reason, Separation};
-use crate::figure::again::{Nearest, is_known};
+use crate::figure::again::Nearest;
 use crate::figure::called::Called;
 use crate::figure::difference::Difference;
 use crate::figure::question::is_of_a_moment;
@@ -280,23 +280,22 @@ fn closest_in_words(told: &Account) -> String {
             let span = as_near(told.scene, at.time, bounds.hi);
             let is_rounding = bounds.hi <= told.scene.query_at(at.time).rounding();
             let rounding = if is_rounding { speech.say(&BY_ROUNDING, &[]) } else { String::new() };
-            let apart = speech.number(bounds.lo, bounds.hi);
             let often = told.run.often.of(told.scene, at.time, *bounds);
-            let least = (!is_known(told.scene, at.time, *bounds)).then(|| speech.at_least(bounds.lo));
-            let apart = if least.is_some() { speech.at_most(bounds.hi) } else { apart };
-            Some((at.time, (apart, least), closing, span, rounding, often))
+            Some((at.time, *bounds, closing, span, rounding, often))
         }
         _ => None,
     });
-    let Some((time, (apart, least), closing, span, rounding, often)) = found else { return String::new() };
+    let Some((time, bounds, closing, span, rounding, often)) = found else { return String::new() };
+    let apart = speech.number(bounds.lo, bounds.hi);
     let query = told.scene.query_at(0.0);
     let rests = |b: &Body| query.a.velocity == b.velocity && query.a.spin.is_zero() && b.spin.is_zero();
     let how = if query.b.is_some_and(rests) || often == Nearest::Always {
         speech.say(&STAY, &[&apart])
     } else if often == Nearest::Again {
         speech.say(&CLOSEST_AGAIN, &[&speech.value(time), &apart])
-    } else if let Some(least) = least {
-        speech.say(&NO_NEARER_THAN, &[&apart, &speech.value(time), &least])
+    } else if often == Nearest::Unknown {
+        let (reached, proved) = (speech.at_most(bounds.hi), speech.at_least(bounds.lo));
+        speech.say(&NO_NEARER_THAN, &[&reached, &speech.value(time), &proved])
     } else if time >= 1.0 && closing > 0.0 {
         speech.say(&ENDS_EARLY, &[&speech.value(time), &apart])
     } else if time <= 0.0 && closing < 0.0 {

@@ -356,7 +356,7 @@ fn steps(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) 
         if numbered { format!("$t_{{{step}}}$") } else { format!("$t = {}$", number(time)) }
     };
     let at = |then: String| format!("{} at {then}", context.named(side).primed(0));
-    let kept = apart(now.as_ref().map(|_| *first), before, *last);
+    let kept = apart(Some(*first).filter(|t| now.is_some() && elsewhere(*t).is_some()), before, *last);
     for ((step, time), opacity) in kept.iter().zip(fade(SERIES, kept.len())) {
         let Some(outline) = elsewhere(*time) else { continue };
         sketch.since(context.known(&When::Step(*step)));

@@ -270,8 +270,8 @@ fn square(sketch: &mut Sketch, cone: &Cone, origin: DVec2, (role, names, lit): (
         sketch.label(label.rank(Rank::Word).size(Size::Note));
     }
     sketch.part("gap-line").weight(Weight::Light);
-    let least = cone.nearest.iter().map(|p| out * along.dot(*p - origin)).fold(f64::NEG_INFINITY, f64::max);
-    sketch.line(at(out * least, cone.gap), at(end + out * tick, cone.gap), Pen::extension());
+    let outer = cone.nearest.iter().map(|p| out * along.dot(*p - origin)).fold(f64::NEG_INFINITY, f64::max);
+    sketch.line(at(out * outer, cone.gap), at(end + out * tick, cone.gap), Pen::extension());
     let (from, to) = (at(end, 0.0), at(end, cone.gap));
     sketch.part("gap").dimension(from, to, 0.0, Pen::dimension(role).width(1.5));
     let text = format!("gap $= {}$", number(cone.gap));
