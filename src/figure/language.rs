@@ -20,7 +20,7 @@ const STAR: char = '*';
 
 /// Rows that are said of a body at another place: alone in labels that have a name too, which may be any
 /// word.
-const OF_GHOSTS: usize = 13;
+const OF_GHOSTS: usize = 15;
 
 /// Labels that are a name and nothing else.
 const NAMES: [&str; 4] = ["A", "B", "a", "context"];
@@ -83,6 +83,8 @@ pub(crate) static WORDS: &[Row] = &rows([
     ["or * pushed farther", "*", "oder * weiter geschoben", "ou * plus loin", "o * más lejos"],
     ["* pushed out", "*", "* hinausgeschoben", "* après la poussée", "* tras el empuje"],
     ["* pushed farther", "*", "* weiter geschoben", "* plus loin", "* más lejos"],
+    ["looks the same", "", "sieht gleich aus", "paraît inchangé", "se ve igual"],
+    ["turned $*$", "$*$", "um $*$ gedreht", "rotation de $*$", "giro de $*$"],
     ["expected: hit", "", "erwartet: Treffer", "attendu : impact", "esperado: contacto"],
     ["expected: miss", "", "erwartet: kein Treffer", "attendu : pas de contact", "esperado: sin contacto"],
     [
@@ -93,8 +95,6 @@ pub(crate) static WORDS: &[Row] = &rows([
         "esperado: solapamiento",
     ],
     ["expected: apart", "", "erwartet: getrennt", "attendu : séparés", "esperado: separados"],
-    ["looks the same", "", "sieht gleich aus", "paraît inchangé", "se ve igual"],
-    ["turned $*$", "$*$", "um $*$ gedreht", "rotation de $*$", "giro de $*$"],
     ["depth $d*", "$d*", "Tiefe $d*", "profondeur $d*", "profundidad $d*"],
     ["depth $=*", "$*", "Tiefe $=*", "profondeur $=*", "profundidad $=*"],
     ["distance $*", "$d *", "Abstand $*", "distance $*", "distancia $*"],

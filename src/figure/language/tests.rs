@@ -27,6 +27,10 @@ fn a_label_has_the_words_of_its_language_and_the_formula_of_all() {
         assert_eq!(label(tag, "d", line), expected, "{tag}");
     }
     assert_eq!(label("de", "A'", "crate pushed out"), "crate hinausgeschoben");
+    // All that a ghost says of itself, to the last row: a row before these made them English.
+    assert_eq!(label("de", "A'", "looks the same"), "sieht gleich aus");
+    assert_eq!(label("fr", "B'", "turned $720°$"), "rotation de $720°$");
+    assert_eq!(label("de", "A'", "expected: hit"), "expected: hit", "a body of that name");
     assert_eq!(label("zh", "incident", "incident"), "");
     assert_eq!(label("de", "copy", "*b moved around box*"), "*b um box* geschoben");
 }
