@@ -79,7 +79,8 @@ class Edited {
         try {
             await navigator.clipboard.writeText(written);
             clearTimeout(this.voice); // What it would say is said along.
-            this.tell(`${this.word("copied")} ${this.words()}`, this.language);
+            const copied = this.word("copied");
+            this.tell(`${copied} ${this.words()}`, `${copied} ${this.said()}`);
         } catch {
             const named = { class: "text", readonly: "", rows: 12, "aria-label": this.word("text") };
             this.text ??= make("textarea", named);
@@ -89,20 +90,34 @@ class Edited {
         }
     }
 
-    // What a reader hears: why not all was done, and the result; or what the step says that is shown.
-    words() {
-        const why = this.why.textContent;
-        const step = this.info.steps?.[this.step - 1];
-        this.entitle();
-        const whole = why.replace(/[^.!?]$/, "$&.");
-        if (!step || why) return [whole, this.info.sentence].filter(Boolean).join(" ");
-        const colon = this.language === "fr" ? "\u00a0:" : ":";
-        return `${step.title}${colon} ${step.sentences.join(" ")}`;
+    // What stands below the picture follows it; nobody hears it.
+    see(words) {
+        this.seen.lang = this.language;
+        if (this.seen.textContent !== words) this.seen.textContent = words;
     }
 
-    // The title of a page that says the result.
+    // The result, or what the step says that is shown.
+    said() {
+        const step = this.info.steps?.[this.step - 1];
+        if (!step || this.why.textContent) return this.info.sentence;
+        const colon = this.language === "fr" ? "\u00a0:" : ":";
+        const end = step.title.includes(":") ? "." : colon; // One colon is enough.
+        return `${step.title}${end} ${step.sentences.join(" ")}`;
+    }
+
+    // What a reader hears: why not all was done, and what is seen below the picture.
+    words() {
+        const whole = this.why.textContent.replace(/[^.!?]$/, "$&.");
+        return [whole, this.said()].filter(Boolean).join(" ");
+    }
+
+    // The title of a page that says the result, and the long text below it, of the picture as it is.
     entitle() {
         const { sentence } = this.info;
+        const long = this.root.querySelector("details.words p");
+        this.long ??= [...(long?.childNodes ?? [])]; // As it came: powers of ten are raised.
+        const now = this.picture.svg.querySelector("desc")?.textContent;
+        long?.replaceChildren(...(this.edits.size > 0 && now ? [now] : this.long));
         if (this.alone && this.told) document.title = document.title.replace(this.told, () => sentence);
         this.told = sentence;
     }

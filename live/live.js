@@ -69,6 +69,7 @@ class Figure extends Edited {
 
     build() {
         this.overlay = make("svg", { class: "knobs", role: "group", "aria-label": this.word("moved") });
+        this.seen = make("p", { class: "seen", "aria-hidden": "true" });
         this.say = make("p", { class: "say", role: "status" });
         this.why = make("p", { class: "why", "aria-hidden": "true" });
         this.bar = make("div", { class: "bar" });
@@ -76,8 +77,8 @@ class Figure extends Edited {
         const summary = make("summary", {}, this.word("numbers"));
         const details = make("details", { class: "numbers-of" }, summary, this.numbers);
         this.stage.append(this.overlay);
-        this.stage.after(this.why, this.bar, this.say, details);
-        this.around = [this.overlay, this.why, this.bar, this.say, details];
+        this.stage.after(this.why, this.bar, this.seen, this.say, details);
+        this.around = [this.overlay, this.why, this.bar, this.seen, this.say, details];
         this.fill();
         this.stage.addEventListener("pointerdown", (event) => this.grab(event));
         // A finger that holds something drags it; beside it the page scrolls. No style within an SVG says so.
@@ -192,12 +193,9 @@ class Figure extends Edited {
             }
         }
         this.remember(handle, reached);
-        if (!this.draw()) {
-            this.remember(handle, before);
-            return;
-        }
-        this.root.toggleAttribute("data-untold", true); // What is said is of before.
+        if (!this.draw()) return this.remember(handle, before);
         this.refuse(why);
+        this.see(this.said()); // A reader hears it at rest.
     }
 
     refuse(why) {
@@ -373,13 +371,14 @@ class Figure extends Edited {
 
     speak(pause = PAUSE) {
         clearTimeout(this.voice);
-        this.voice = setTimeout(() => this.tell(this.words(), this.language), pause);
+        this.voice = setTimeout(() => this.tell(this.words(), this.said()), pause);
     }
 
-    tell(words, language) {
-        this.root.removeAttribute("data-untold");
-        this.say.lang = language;
+    tell(words, seen) {
+        this.see(seen);
+        this.say.lang = this.language;
         this.say.textContent = words;
+        this.entitle();
     }
 
     toStep(step) {

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::first_other_byte;
 use crate::output::Format;
 
 /// What is wrong with a file that can't be compared as what it should be.
@@ -73,8 +74,7 @@ pub(super) fn damage(format: &'static Format, old: &[u8], new: &[u8]) -> Option<
         let end = format.bracket.ends.iter().filter_map(|end| Some(rfind(old, end)? + end.len())).max();
         Some(end.map_or(Damage::CutShort { after: old.len() }, |from| Damage::Appended { from }))
     } else if text.is_err() && format.read.is_some_and(|reader| reader.picture.is_some()) {
-        let at = old.iter().zip(new).position(|(a, b)| a != b).unwrap_or(old.len().min(new.len()));
-        Some(Damage::Broken { format: format.name, at })
+        Some(Damage::Broken { format: format.name, at: first_other_byte(old, new) })
     } else {
         None
     }

@@ -11,8 +11,8 @@ pub struct Element {
     pub extent: Rect,
 }
 
-/// The innermost groups that reach into an area of the page (pixels, y down), in painting order,
-/// each once.
+/// The innermost groups that reach into an area of the page (pixels, y down), in painting order, one of each
+/// name: of bodies in several panels the first.
 ///
 /// ```
 /// use tracefig::{drawing::Rect, drift::elements_in, figure::{draw, plan}, scene::open_text};

@@ -217,12 +217,13 @@ pub fn what_moved(format: &Format, old: &[u8], new: &[u8]) -> Vec<String> {
         _ => Vec::new(),
     };
     if let (
-        Ok(Picture::Drawing { drawing: old, sheet: old_sheet, found: old_found }),
-        Ok(Picture::Drawing { drawing: new, sheet: new_sheet, found: new_found }),
+        Ok(Picture::Drawing { drawing: old, sheet: old_sheet, found: old_found, told: old_told }),
+        Ok(Picture::Drawing { drawing: new, sheet: new_sheet, found: new_found, told: new_told }),
     ) = (shows(format, old), shows(format, new))
     {
         lines.extend(seen(&old, &new));
         lines.extend(visible::words("words that are found", &old_found, &new_found));
+        lines.extend(visible::words("words for a screen reader", &old_told, &new_told));
         if old_sheet != new_sheet {
             lines.push("the style sheet, which pages and dark systems follow, is another one".to_owned());
         }
@@ -284,10 +285,11 @@ fn picture_change(
     match (old, new) {
         (Picture::Image(_), Picture::Image(_)) => Some(drift.map_or(Change::Packing, Change::Pixels)),
         (
-            Picture::Drawing { drawing: a, sheet: old_sheet, found: old_found },
-            Picture::Drawing { drawing: b, sheet: new_sheet, found: new_found },
+            Picture::Drawing { drawing: a, sheet: old_sheet, found: old_found, told: old_told },
+            Picture::Drawing { drawing: b, sheet: new_sheet, found: new_found, told: new_told },
         ) => {
-            let same_words = a.title == b.title && a.desc == b.desc && old_found == new_found;
+            let same_unseen = old_found == new_found && old_told == new_told;
+            let same_words = a.title == b.title && a.desc == b.desc && same_unseen;
             let sheet = if same_words { sheets_apart(old_sheet, new_sheet) } else { None };
             Some(Change::Picture { pixels: drift, line: line?, sheet })
         }

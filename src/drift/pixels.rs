@@ -176,8 +176,6 @@ pub(super) fn compared<'b>(mut old: Rows<'b>, mut new: Rows<'b>, shown: Shown) -
 }
 
 /// Compares a picture of each file, row by row into the picture of their difference where that is to be
-/// shown;
-/// `None` where a file ends too early.
 /// shown; `None` where a file ends too early.
 fn rows_compared(
     [old, new]: [&mut Rows<'_>; 2],

@@ -83,6 +83,35 @@ fn words_that_nobody_sees_are_compared_and_may_not_be_shown() {
     assert_eq!(shown_by(new.replacen(" fill=\"none\"", " fill=\"red\"", 1).as_bytes()), None);
 }
 
+#[test]
+fn what_no_pixel_shows_is_within_no_tolerance() {
+    let new = String::from_utf8(svg(SCENE)).unwrap();
+    let rendered = Rendered { format: svg_format(), bytes: new.as_bytes(), scale: 1.0 };
+    let sheet = &new[new.find("<style>").unwrap()..new.find("</style>").unwrap()];
+    let dashes = format!(" stroke-dasharray=\"{}\" stroke-width=\"", "1 ".repeat(9));
+    for (there, instead) in [
+        ("</style>", "</style><style>*{display:none}</style>"),
+        ("<svg ", "<svg style=\"display:none\" "),
+        ("<svg ", "<svg onload=\"alert(1)\" "),
+        ("<svg ", "<svg lang=\"de\" "),
+        ("<svg ", "<svg xml:lang=\"de\" "),
+        ("stroke-linejoin=\"round\"", "stroke-linejoin=\"bevel\""),
+        ("</defs>", "<script>alert(1)</script></defs>"),
+        ("</defs>", "<path id=\"other\" d=\"M0 0\" style=\"fill:red\"/></defs>"),
+        ("<title ", "<title onclick=\"alert(1)\" "),
+        ("aria-label=\"", "aria-label=\"not "),
+        (" stroke-width=\"", &dashes),
+        (sheet, "<style>*{display:none}"),
+    ] {
+        let old = new.replacen(there, instead, 1);
+        assert_ne!(old, new, "{there}");
+        let State::Changed(change) = compare(Some(old.as_bytes()), rendered) else { panic!("{instead}") };
+        assert!(!change.is_within(255), "{instead}: {change:?}");
+    }
+    let old = new.replacen("aria-label=\"", "aria-label=\"not ", 1);
+    says(&what_moved(svg_format(), old.as_bytes(), new.as_bytes()), "words for a screen reader: reads `");
+}
+
 /// What a changed scene makes `check` say of its SVG.
 fn said(changed: &str) -> Vec<String> {
     what_moved(svg_format(), &svg(SCENE), &svg(changed))

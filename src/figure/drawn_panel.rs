@@ -18,6 +18,9 @@ use super::sketch::{Anchor, Request, Size, Sketched};
 use super::text::{Wording, plain};
 use super::theme::Theme;
 
+/// How far the halo of a label reaches through which a line runs, page pixels: over the gaps of its words, in
+/// which what is left of the line would be read as a minus.
+const WIDE_HALO: f64 = 4.0;
 /// How far a label's halo reaches, page pixels.
 const HALO: f64 = 2.5;
 /// Width of leader lines, page pixels.
@@ -223,7 +226,8 @@ fn labels(panel: &Labelled, theme: &Theme) -> Item {
                 one.items.push(Item::Path(Path::filled(disc, theme.paint(Role::Muted))));
             }
         }
-        let halo = Some(Halo::plain(theme.paint(Role::Background), HALO));
+        let width = if panel.is_crossed(label) { WIDE_HALO } else { HALO };
+        let halo = Some(Halo::plain(theme.paint(Role::Background), width));
         one.items.extend(
             label
                 .lines

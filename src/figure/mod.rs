@@ -35,6 +35,7 @@ pub mod layer;
 mod lettering;
 mod limits;
 mod lost_playhead;
+mod moment_title;
 mod motion;
 mod moving_frame;
 mod name;

@@ -18,6 +18,7 @@ use super::page::Measures;
 use super::play::Play;
 use super::runs::Runs;
 use super::sketch::{Request, Size, Sketch, Sketched};
+use super::text::Decimal;
 use super::theme::Theme;
 
 /// The most points of all lines of an inset that nobody asked for: a fifth of what a figure may have.
@@ -121,7 +122,7 @@ impl PanelPlan<'_> {
         let bare = begun(inset.frame, context, theme).without_numbers();
         let is_small = self.source.inset.as_ref().is_some_and(|inset| inset.value == Detail::Small);
         let mut sketch = self.drawn(if is_small { bare.without_axes() } else { bare }, context);
-        inset.write_factor(&mut sketch);
+        inset.write_factor(&mut sketch, Decimal::of(context.scene));
         let mut sketched = sketch.finish();
         inset.without_the_panels(&self.source, own, &mut sketched);
         inset.keep_off_the_frame(&mut sketched);

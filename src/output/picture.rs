@@ -32,6 +32,8 @@ pub(crate) enum Picture<'b> {
         sheet: String,
         /// The words that a reader finds in it and nobody sees, one line below the other.
         found: String,
+        /// The languages, and what its parts are called to who does not see them, one line below the other.
+        told: String,
     },
 }
 

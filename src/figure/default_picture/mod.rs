@@ -232,8 +232,10 @@ fn filled<'s>(panel: &'s Panel, case: &Case, rows: &[&Picture], problems: &mut V
     }
     let configuration = |space: &Space| *space == Space::Configuration;
     let same = |other: &Panel| configuration(&other.space) == configuration(&panel.space);
-    let beside = Some(&turning_steps::DIFFERENCES).filter(|picture| (picture.fits)(case));
-    let mut rows = rows.iter().copied().chain(beside);
+    let fits = |picture: &&Picture| (picture.fits)(case);
+    let alone = Some(&contact_points::ALONE).filter(fits);
+    let beside = Some(&turning_steps::DIFFERENCES).filter(fits);
+    let mut rows = alone.into_iter().chain(rows.iter().copied()).chain(beside);
     let layers = rows.find_map(|row| of_case(row, case, &panel.span).into_iter().find(same)?.layers);
     if layers.is_none() {
         let fault = scene::Fault::MissingKey {

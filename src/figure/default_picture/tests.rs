@@ -151,6 +151,18 @@ fn a_panel_without_layers_has_those_of_its_space_and_the_names_of_the_scene() {
 }
 
 #[test]
+fn a_lone_panel_of_a_contact_shows_its_points() {
+    let text = "[shapes.A]\nkind = 'box'\nhalf_extents = [2, 1]\n[shapes.B]\nkind = 'box'\n\
+        half_extents = [1, 1]\nposition = [0.5, 1.9]\n[query]\nkind = 'contact'\nalgorithm = 'clip'\n\
+        of = ['A', 'B']\n[[panels]]\ntitle = 'Both'\n";
+    let scene = open_text("s.toml", text).unwrap().scene;
+    let plan = plan(&scene).unwrap();
+    let figure = draw(&plan, plan.theme, "contact");
+    let keys: BTreeSet<&str> = figure.panels[0].placed.iter().map(|label| label.key).collect();
+    assert!(["d_1", "d_2", "reference", "incident"].iter().all(|key| keys.contains(key)), "{keys:?}");
+}
+
+#[test]
 fn a_label_that_only_another_answer_has_may_be_worded() {
     let text = pair("ray-cast", "[9, 0.25]", "velocity = [3, 0]") + "[query]\nkind = 'linear-sweep'\n";
     let words = |key: &str| format!("{text}of = ['crate', 'B']\n[labels]\n{key} = 'here'");

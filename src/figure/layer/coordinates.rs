@@ -14,6 +14,8 @@ use super::ruler::whole;
 const FINE: f64 = 1.0;
 /// How many decimal places more a coordinate may have that is written whole.
 const WHOLE: usize = 2;
+/// By how much a coordinate may be beside a whole one that is written for it, parts of what is fine.
+const NOTHING: f64 = 1e-6;
 /// Decimal exponents within which a coordinate is written without a power of ten.
 const PLAIN: std::ops::RangeInclusive<i32> = -3..=5;
 /// The largest where a page pixel is less than [`COARSE`]: 1000002.5 is sooner read than it with a power.
@@ -48,7 +50,9 @@ fn coordinate(x: f64, fine: f64) -> String {
     }
     let text = format!("{x:.places$}");
     let short = without_zeros(&text);
-    if short == "-0" { "0".to_owned() } else { short.to_owned() }
+    // Zeros say that digits were cut: 3.0018 is 3.00, and 3 only what computing has left beside a 3.
+    let exact = short.parse().is_ok_and(|short: f64| (x - short).abs() <= fine * NOTHING);
+    if exact { short.to_owned() } else { text }
 }
 
 /// Decimals without zeros at their end.
@@ -71,6 +75,10 @@ mod tests {
             (1e-17, 0.01, "0"),
             (-1e-17, 0.01, "0"),
             (-0.004_321, 0.01, "0"),
+            (3.001_84, 0.01, "3.00"),
+            (-2.498_61, 0.01, "-2.50"),
+            (3.000_000_000_4, 0.01, "3"),
+            (0.1 + 0.2, 0.01, "0.3"),
             (1e9, 0.01, "1000000000"),
             (1_000_000_001.25, 0.01, "1000000001.25"),
             (1.25e9, 1e4, r"1.25 \times 10^{9}"),

@@ -302,6 +302,9 @@ fn marks(
             let anchor = Anchor::Tick { at: on_axis, toward: DVec2::NEG_Y };
             let label = Label { lines, ..Label::new("step", "", anchor, Role::Now) };
             sketch.label(label.size(Size::Note));
+        } else {
+            // The number of another step must not seem to be of this tick.
+            sketch.unnamed(Anchor::Tick { at: on_axis, toward: DVec2::NEG_Y });
         }
     }
     if let Some(next) = all.get(MOST) {

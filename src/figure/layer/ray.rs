@@ -121,7 +121,11 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let timed = options.flag("ends", false);
     let named = if timed { Anchor::middle(from, tip) } else { Anchor::tip(from, tip) };
     sketch.label(Label::new("v", text("$v$", v, options, cut), named, role));
-    if let Some(time) = hit {
+    // Of two estimates at one place a reader sees one, with two times.
+    let next = estimate(context).filter(|next| hit.is_some_and(|time| *next < time.lo));
+    let apart =
+        |time: f64| next.is_none_or(|next| sketch.on_page((time - next) * v.length()) >= LARGE_MARKER);
+    if let Some(time) = hit.filter(|time| apart(time.lo)) {
         let hit = from + v * time.lo;
         sketch.since(context.answered());
         let along = options.flag("free", true) && !timed && !lined;
@@ -138,6 +142,15 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         sketch.since(None).part("now").marker(from + v * now, Marker::Disc, role, MARKER);
     }
     tests(sketch, context, from, v);
+}
+
+/// Where the panel's step of an advancement goes next.
+fn estimate(context: &Context) -> Option<f64> {
+    let next = |event: &Event| match *event {
+        Event::Advanced { step, next, .. } if Some(step) == context.step => next,
+        _ => None,
+    };
+    context.run().find_told(next)
 }
 
 /// Draws the edges one by one as the ray `from` along v is held against them: each that faces it, and where
@@ -242,6 +255,7 @@ mod tests {
     use crate::figure::{Pull, draw, plan};
     use crate::geometry::DVec2;
     use crate::scene::open_text;
+    use crate::trace::Event;
 
     #[test]
     fn the_ends_of_a_ray_have_their_times_where_they_are_asked_for() {
@@ -282,6 +296,35 @@ mod tests {
             let times = figure.panels[0].placed.iter().filter(|label| label.key == "met").count();
             assert_eq!(times, count, "{option}");
         }
+    }
+
+    #[test]
+    fn where_a_step_comes_as_near_as_a_marker_the_hit_is_not_named_beside_it() {
+        let named = |step: usize| {
+            let text = format!(
+                "shapes.A = {{ kind = 'box', half_extents = [1, 1], position = [-27, -15], velocity = [27, 15],
+                    radius = 0.3 }}
+                shapes.B = {{ kind = 'box', half_extents = [1, 1], angle_deg = 10, radius = 0.4 }}
+                query = {{ kind = 'linear-sweep', of = ['A', 'B'], algorithm = 'ray-clipping', tolerance = 1e-9 }}
+                canvas.width = 240
+                panels = [{{ space = 'configuration', step = {step}, layers = ['ray', 'advancement'] }}]"
+            );
+            let scene = open_text("ray", &text).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            let figure = draw(&plan, plan.theme, "ray");
+            let times: Vec<f64> = plan
+                .runs
+                .own(&scene, 0.0)
+                .told(|event| match *event {
+                    Event::Advanced { next, .. } => next,
+                    _ => None,
+                })
+                .collect();
+            (figure.panels[0].placed.iter().any(|label| label.key == "t"), times)
+        };
+        let (first, times) = named(1);
+        assert!(!first && times.len() == 2, "{times:?}");
+        assert!(named(2).0, "the last estimate is the hit");
     }
 
     #[test]

@@ -111,6 +111,14 @@ impl Labelled {
         let has_label = self.placed.iter().any(|label| label.bounds.intersection(*bounds).is_some());
         !has_label && !hides(&self.obstacles, usize::MAX, bounds)
     }
+
+    /// Whether a line of something else runs through a label of the panel.
+    pub(crate) fn is_crossed(&self, label: &Placed) -> bool {
+        let rect = core(&label.bounds);
+        // Most places cost less than any line costs, and need no search.
+        label.standing.cost >= Costs::TUNED.light
+            && self.obstacles.iter().any(|o| o.part != label.part && is_stroke_under(&o.cover, &rect))
+    }
 }
 
 impl LabelFault {

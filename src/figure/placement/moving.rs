@@ -22,7 +22,7 @@ pub(crate) fn place(sought: &[Sought], ground: &Ground) -> Labelled {
 /// false picture. Who stands as badly wherever it goes does not go.
 pub(super) fn place_by(weights: &Weights, sought: &[Sought], ground: &Ground) -> Labelled {
     let resting = |_: &Sought| Old::Comfortable;
-    let Some(before) = ground.before else { return searched(weights, sought, ground, &resting) };
+    let Some(before) = ground.before else { return still(weights, sought, ground) };
     // A scene pins by keys.
     let was_loose = |label: &Sought| before.placed.iter().any(|p| p.standing.loose && p.key == label.key);
     let mut sought = loosened(sought, &was_loose);
@@ -56,6 +56,26 @@ pub(super) fn place_by(weights: &Weights, sought: &[Sought], ground: &Ground) ->
     let old = |label: &Sought| if stands_badly(label, &wrong) { Old::Kept } else { Old::Comfortable };
     let kept = searched(weights, &sought, ground, &old);
     marked(if faults(&kept).len() <= wrong.len() { kept } else { best }, &|_| 1)
+}
+
+/// Places the labels of a panel that nothing was drawn before: where the scene pins them, but where that is
+/// over the panel's edge and another place is not, since nobody reads what is cut off.
+fn still(weights: &Weights, sought: &[Sought], ground: &Ground) -> Labelled {
+    let search = |sought: &[Sought]| searched(weights, sought, ground, &|_| Old::Comfortable);
+    let pinned = search(sought);
+    if sought.iter().all(|label| label.pin.is_none()) {
+        return pinned;
+    }
+    let wrong = faults(&pinned);
+    let is_cut = |label: &Sought| {
+        let over = |fault: &LabelFault| matches!(fault, LabelFault::OverEdge { .. });
+        label.pin.is_some() && wrong.iter().any(|fault| over(fault) && fault.is_of(label.key, &label.span))
+    };
+    if !sought.iter().any(is_cut) {
+        return pinned;
+    }
+    let free = search(&loosened(sought, &is_cut));
+    if faults(&free).len() < wrong.len() { free } else { pinned }
 }
 
 /// Notes of the labels at fault since when they are.
@@ -123,6 +143,22 @@ mod tests {
         let after = near(5.0, Some(&moving));
         assert_eq!(side(&after), side(&moving));
         assert_eq!(side(&near(5.0, None)), (true, true), "at rest it is where the scene pins it");
+    }
+
+    #[test]
+    fn a_pinned_label_does_not_leave_its_panel() {
+        let text = r#"
+            shapes.A = { kind = "box", half_extents = [1, 1], position = [-2, 0] }
+            query = { kind = "bounds", of = ["A"] }
+            labels.O.at = "E"
+            panels = [{ space = "world", view = [-4, -2, 0.05, 2], layers = ["shapes", "origin"] }]
+        "#;
+        let scene = open_text("s.toml", text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let figure = draw_after(&plan, plan.theme, "s", None);
+        let panel = &figure.panels[0];
+        let label = panel.placed.iter().find(|p| p.key == "O").unwrap();
+        assert!(figure.faults().is_empty() && label.bounds.x1 <= panel.frame.panel.x1, "{:?}", label.bounds);
     }
 
     /// EPA with B there, in which the depth's label stands badly wherever it goes.

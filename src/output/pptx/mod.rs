@@ -90,12 +90,17 @@ fn slides<'d>(drawing: &'d Drawing, options: &Options) -> Vec<Slide<'d>> {
         }];
     }
     let whole = mute(drawing);
+    let said = |Step { title, sentences }: &Step| {
+        // One colon is enough.
+        let end = if title.contains(':') { '.' } else { ':' };
+        format!("{title}{end} {}", sentences.join(" "))
+    };
     let of_step = |(number, step): (usize, &'d Step)| Slide {
         drawing: whole.at_step(number),
         // Several steps may be called the same, and slides are listed by their titles.
         title: format!("{number}. {}", step.title),
         shown: Title::Seen,
-        alt: format!("{}: {}", step.title, step.sentences.join(" ")),
+        alt: said(step),
         notes: step.sentences.iter().map(String::as_str).collect(),
     };
     (1..).zip(&drawing.steps).map(of_step).collect()

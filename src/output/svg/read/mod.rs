@@ -5,6 +5,7 @@
 //! outlines, clips, and words without ink. A file with anything else, as one that was edited by hand, is none
 //! that this reads.
 
+mod around;
 mod effort;
 mod path_data;
 mod size;
@@ -64,9 +65,7 @@ pub(super) fn picture(bytes: &[u8]) -> Result<Picture<'_>, Unread> {
 /// or has too much of something, which is then told.
 fn read(document: &Document<'_>, too_much: &mut Option<TooMuch>) -> Option<Picture<'static>> {
     let root = document.root_element();
-    // Without the role a reader that speaks reads the picture's pieces, and with another one nothing.
-    let is_ours = root.attribute("role") == Some("img") && root.attribute("fill") == Some("none");
-    if !is_ours || root.has_attribute("stroke") {
+    if !around::is_ours(root) {
         return None;
     }
     let prefix = root.attribute("aria-labelledby")?.split_once("-title")?.0.to_owned();
@@ -118,7 +117,12 @@ fn read(document: &Document<'_>, too_much: &mut Option<TooMuch>) -> Option<Pictu
         id: prefix.clone(),
     };
     let found = found.unwrap_or_default();
-    Some(Picture::Drawing { drawing: Box::new(drawing), sheet: text("style"), found })
+    Some(Picture::Drawing {
+        drawing: Box::new(drawing),
+        sheet: text("style"),
+        found,
+        told: around::told(root),
+    })
 }
 
 /// The largest difference of a colour between two style sheets, in levels of 255; `None` where they differ in

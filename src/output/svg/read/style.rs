@@ -39,6 +39,9 @@ const KNOWN: [&str; 27] = [
     "stroke-dasharray",
 ];
 
+/// Lengths of dashes and gaps of a line; ours have up to four. Every element that has them keeps its own.
+const MOST_DASHES: usize = 8;
+
 /// The attribute of that name as a finite number.
 pub(super) fn number(node: Node, name: &str) -> Option<f64> {
     node.attribute(name)?.parse().ok().filter(|v: &f64| v.is_finite())
@@ -89,7 +92,8 @@ impl Style {
             style.cap = if cap == "round" { Cap::Round } else { return None };
         }
         if let Some(dash) = node.attribute("stroke-dasharray") {
-            style.dash = NumberListParser::from(dash).collect::<Result<_, _>>().ok()?;
+            let read: Result<Vec<f64>, _> = NumberListParser::from(dash).take(MOST_DASHES + 1).collect();
+            style.dash = read.ok().filter(|lengths| lengths.len() <= MOST_DASHES)?;
         }
         Some(style)
     }
