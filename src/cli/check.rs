@@ -120,6 +120,7 @@ impl Runs for Check {
         if self.accept {
             folders_of(&plan.jobs).into_iter().for_each(clear_leftovers);
         }
+        let unread = of_folders(&plan);
         let mut all = match self.sheets.encoded(&self.files, (&plan.jobs, &Told::new()), console)? {
             Ok(None) => self.check_all(&plan, &pictures, console)?,
             Err(Status::Usage) => return Ok(Status::Usage),
@@ -128,6 +129,10 @@ impl Runs for Check {
                 self.check_document(path, document, console)?
             }
         };
+        if self.handout.is_some() {
+            self.tell(&unread, console)?;
+            all.add(unread);
+        }
         for document in declared {
             let encoded = document.encoded(&self.files, &all.told, console)?;
             all.add(self.check_document(&document.path, encoded, console)?);

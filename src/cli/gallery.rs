@@ -1,6 +1,6 @@
 //! What live pages share: the file with the module, and the page that lists them.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -48,7 +48,12 @@ pub(crate) fn finish(
         let folders: BTreeSet<PathBuf> = pages.iter().map(folder).collect();
         files.extend(folders.into_iter().map(|folder| (folder.join(RUNTIME), live_runtime(MODULE))));
     }
-    files.extend(index(&pages));
+    // Each folder that gathers pages has a list of its own.
+    let mut gathered: BTreeMap<&Path, Vec<(&Job, &Target)>> = BTreeMap::new();
+    for &(job, target) in &pages {
+        gathered.entry(root(job).unwrap_or(Path::new(""))).or_default().push((job, target));
+    }
+    files.extend(gathered.values().filter_map(|pages| index(pages, written)));
     for (path, text) in files {
         match write_whole(&path, text.as_bytes(), Wait::No) {
             Ok(()) if console.is_quiet() => {}
@@ -63,14 +68,14 @@ pub(crate) fn finish(
 }
 
 /// The page that lists the others, where a folder gathers several; first those whose scenes say what moves.
-fn index(pages: &[(&Job, &Target)]) -> Option<(PathBuf, String)> {
+fn index(pages: &[(&Job, &Target)], written: &BTreeSet<String>) -> Option<(PathBuf, String)> {
     let &(first, target) = pages.first()?;
     let path = root(first)?.join(index_of(first, target)?);
     let taken = pages.iter().any(|(_, target)| **target == Target::File(path.clone()));
     if pages.len() < 2 || taken {
         return None;
     }
-    let entries = pages.iter().filter_map(|&(job, target)| entry(job, target));
+    let entries = pages.iter().filter_map(|&(job, target)| entry(job, target, written));
     let (told, others): (Vec<_>, Vec<_>) = entries.partition(|(is_told, _)| *is_told);
     let ordered: Vec<Gallery> = told.into_iter().chain(others).map(|(_, entry)| entry).collect();
     Some((path, gallery(&ordered)))
@@ -85,13 +90,15 @@ fn claim(scene: &Scene) -> String {
     plan(scene).map(|plan| draw(&plan, plan.theme, "").drawing.title).unwrap_or_default()
 }
 
-/// A page's entry in the list, and whether its scene says what can be moved.
-fn entry(job: &Job, target: &Target) -> Option<(bool, Gallery)> {
+/// A page's entry in the list, with its picture where that was `written`, and whether its scene says what can
+/// be moved.
+fn entry(job: &Job, target: &Target, written: &BTreeSet<String>) -> Option<(bool, Gallery)> {
     let Target::File(path) = target else { return None };
+    let has_picture = written.contains(&shown(&path.with_extension(INLINE.name)));
     let file = job.input.open().ok()?;
     let name = below(job, target)?.join(path.file_name()?);
     let address = |path: &Path| path.to_string_lossy().replace('\\', "/");
-    let picture = address(&name.with_extension(INLINE.name));
+    let picture = if has_picture { address(&name.with_extension(INLINE.name)) } else { String::new() };
     let lang = file.scene.lang.as_ref().map(|lang| lang.value.clone());
     let words = claim(&file.scene);
     let entry = Gallery { page: address(&name), picture, title: heading(&file, job), words, lang };

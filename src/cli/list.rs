@@ -24,6 +24,7 @@ use super::console::Console;
 use super::inputs::find_here;
 use super::manual::Manual;
 use super::schema::SCHEMAS;
+use super::unplanned::tell_unplanned;
 use super::{Runs, Status};
 
 /// A topic of `list`.
@@ -91,8 +92,11 @@ static TOPICS: &[Topic] = &[
     },
     Topic { name: "formats", group: "", title: "Formats of files", rows: formats },
     Topic { name: "errors", group: "", title: "Codes of errors", rows: errors },
-    Topic { name: "figures", group: "", title: "Scenes of the project, or in figures/", rows: figures },
+    Topic { name: SCENES, group: "", title: "Scenes of the project, or in figures/", rows: figures },
 ];
+
+/// The topic that is of a project, and not of tracefig.
+const SCENES: &str = "figures";
 
 /// Every word that names topics, or a schema, which is printed only when asked for.
 fn words() -> Vec<&'static str> {
@@ -126,6 +130,12 @@ impl Runs for List {
         if let Some(schema) = asked {
             writeln!(console.out, "{:#}", (schema.make)())?;
             return Ok(Status::Done);
+        }
+        // Asked for by itself, what can't be listed is told.
+        if self.topic.as_deref() == Some(SCENES)
+            && let Err(unplanned) = find_here(&[])
+        {
+            return Ok(tell_unplanned(&unplanned, console));
         }
         let is_wanted =
             |t: &&Topic| self.topic.as_deref().is_none_or(|word| word == t.name || word == t.group);

@@ -52,8 +52,9 @@ impl Live {
     }
 
     /// Adds the pictures of pages to the formats asked for: in a folder the page that lists them shows those.
-    pub(crate) fn add_pictures(output: Option<&Path>, formats: &mut Vec<String>) {
-        if output.is_some_and(|path| path.is_dir() || path.extension().is_none()) && !formats.is_empty() {
+    pub(crate) fn add_pictures(destination: &Destination, formats: &mut Vec<String>) {
+        let is_folder = matches!(destination, Destination::Folder(_) | Destination::Project(_));
+        if is_folder && !formats.is_empty() {
             formats.push(INLINE.name.to_owned());
         }
     }

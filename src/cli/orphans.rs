@@ -2,8 +2,8 @@
 //! which the project file asks for no more.
 //!
 //! An orphan may be deleted, so nothing is called one in doubt: not where a scene or a folder of this run
-//! could not be read, and not where a file of the figure's name lies in the place of its scene, whatever is
-//! wrong with it.
+//! could not be read, not where a file of the figure's name lies in the place of its scene, whatever is
+//! wrong with it, and not where a scene of its name lies as a figure of another run's folder would have it.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -72,7 +72,8 @@ pub(crate) fn unclaimed(plan: &Plan) -> Unclaimed {
                 None => continue,
             },
         };
-        if places.get_or_insert_with(|| real_places(&plan.jobs)).contains(&real(&path)) {
+        let is_elsewhere = unasked.is_none() && scenes.keys().any(|scene| gathers(&path, scene));
+        if is_elsewhere || places.get_or_insert_with(|| real_places(&plan.jobs)).contains(&real(&path)) {
             continue;
         }
         match possible_scene(plan, &path).filter(|_| unasked.is_none()) {
@@ -108,6 +109,20 @@ fn scene_of<'j>(path: &Path, scenes: &BTreeMap<PathBuf, &'j Job>) -> (Option<&'j
         parts.push(part.to_string_lossy().into_owned());
         stem.set_extension("");
     }
+}
+
+/// Whether a figure lies as in a folder that gathers the figures of a tree: below the scene's folder, or
+/// below one that both are in, with the way from there to the scene at its end. `docs/img/a/x.svg` is that of
+/// `docs/a/x`, and `a/x.svg` not that of `b/x`.
+fn gathers(figure: &Path, scene: &Path) -> bool {
+    let both = figure.components().zip(scene.components()).take_while(|(f, s)| f == s).count();
+    let (figure, scene): (PathBuf, PathBuf) =
+        (figure.components().skip(both).collect(), scene.components().skip(both).collect());
+    let (Some(folder), Some(beside)) = (figure.parent(), scene.parent()) else { return false };
+    let name = |path: &Path| path.file_name().map(|name| name.to_string_lossy().into_owned());
+    let (Some(name), Some(stem)) = (name(&figure), name(&scene)) else { return false };
+    let is_of_it = name.strip_prefix(&stem).is_some_and(|rest| rest.starts_with('.'));
+    is_of_it && folder != beside && folder.ends_with(beside)
 }
 
 /// Why the project of a scene does not ask for a figure of it, in words.
@@ -187,4 +202,24 @@ fn names_of_files(jobs: &[Job]) -> BTreeMap<PathBuf, &Job> {
         names.extend(folders.map(|folder| (folder.join(stem), job)));
     }
     names
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_folder_gathers_the_figures_of_a_tree_below_its_scenes() {
+        for (figure, scene, gathered) in [
+            ("docs/img/x.svg", "docs/x", true),
+            ("docs/img/a/x.dark.svg", "docs/a/x", true),
+            ("img/a/x.svg", "a/x", true),
+            ("a/x.svg", "b/x", false),
+            ("docs/x.svg", "docs/x", false),
+            ("docs/img/xy.svg", "docs/x", false),
+            ("x.svg", "a/x", false),
+        ] {
+            assert_eq!(gathers(Path::new(figure), Path::new(scene)), gathered, "{figure} of {scene}");
+        }
+    }
 }

@@ -31,6 +31,9 @@ impl OpenProject {
             Unplanned::Unread(format!("can't read the project file `{}`: {reason}", visible(&name)))
         };
         let bytes = read_regular(&file, MAX_FILE_BYTES).map_err(|e| unreadable(e.to_string()))?;
+        if bytes.len() > MAX_FILE_BYTES {
+            return Err(unreadable(format!("expected at most {MAX_FILE_BYTES} bytes")));
+        }
         let text = String::from_utf8(bytes).map_err(|e| unreadable(e.to_string()))?;
         let source = Source::new(&name, text.strip_prefix('\u{feff}').unwrap_or(&text));
         match project(&source) {

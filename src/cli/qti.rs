@@ -46,7 +46,8 @@ impl Runs for Qti {
 
     fn run(self, console: &mut Console) -> io::Result<Status> {
         let mut kept = Kept::default();
-        self.exercises.scenes().iter().for_each(|scene| kept.keep(scene, "a scene of this run"));
+        let files = self.exercises.scenes().iter().filter(|scene| scene.as_path() != Path::new("-"));
+        files.for_each(|scene| kept.keep(scene, "a scene of this run"));
         if let Some(what) = kept.what(&self.output) {
             console
                 .error(&format!("{} is {what}, and the package would take its place", shown(&self.output)));

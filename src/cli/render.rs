@@ -88,7 +88,10 @@ impl Runs for Render {
         }
         if let Some(live) = self.live {
             self.files.live = Some(live);
-            Live::add_pictures(self.output.as_deref(), &mut self.files.asked.format);
+            // What is wrong with the settings is told with the plan.
+            if let Ok(settings) = self.files.settings_here(self.output.as_deref()) {
+                Live::add_pictures(&settings.destination, &mut self.files.asked.format);
+            }
         }
         let planner = if self.sheets.are_asked() { sheet_jobs } else { bound_jobs };
         let Plan { jobs, left_alone, unread, .. } = match self.files.plan_by(self.output.as_deref(), planner)
@@ -115,12 +118,18 @@ impl Runs for Render {
             None => jobs,
         };
         folders_of(&jobs).into_iter().for_each(clear_leftovers);
+        if self.skip_unchanged && self.sheets.is_current(&self.files, &jobs) {
+            return Ok(searched);
+        }
         if let Some(status) = self.sheets.write(&self.files, &jobs, console)? {
-            return Ok(status);
+            return Ok(status.max(searched));
         }
         let (drawn, told) = self.draw_all(&jobs, console)?;
         let mut status = drawn.max(searched);
         for document in declared {
+            if self.skip_unchanged && document.is_current(&self.files) {
+                continue;
+            }
             status = status.max(document.write(&self.files, &told, console)?);
         }
         Ok(status)

@@ -4,9 +4,10 @@
 //! refused, before anything is compared.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::ffi::{OsStr, OsString};
 use std::fs::OpenOptions;
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 use clap::Args;
 use tracefig::drift::report::{Finding, html, is_page, junit, markdown};
@@ -83,9 +84,14 @@ impl Places {
         }
     }
 
-    /// Where the picture of a figure goes that was not planned.
+    /// Where the picture of a figure goes that was not planned: it has the names of the figure's folders, as
+    /// others may be called the same.
     pub(crate) fn picture_of(&self, figure: &Path) -> PathBuf {
-        let mut name = figure.file_name().unwrap_or_default().to_owned();
+        let normal = figure.components().filter_map(|part| match part {
+            Component::Normal(part) => Some(part),
+            _ => None,
+        });
+        let mut name = normal.collect::<Vec<_>>().join(OsStr::new("-"));
         name.push(".");
         name.push(TRIPTYCH_FORMAT.name);
         self.output.join(name)
@@ -164,8 +170,13 @@ impl Places {
         }
         if let Some(path) = &self.summary {
             let text = markdown(findings);
-            let append =
-                || OpenOptions::new().create(true).append(true).open(path)?.write_all(text.as_bytes());
+            let append = || {
+                // What it leads to was not named.
+                if path.is_symlink() && path.is_file() {
+                    return Err(io::Error::other("it is a link"));
+                }
+                OpenOptions::new().create(true).append(true).open(path)?.write_all(text.as_bytes())
+            };
             tell(path, if is_stdout(Some(path)) { out.write_all(text.as_bytes()) } else { append() });
         }
         Reported { failed, has_page }
@@ -195,11 +206,15 @@ fn write_page(path: &Path, text: &str) -> io::Result<()> {
 fn pictures(jobs: &[Job], folder: &Path) -> BTreeMap<PathBuf, PathBuf> {
     let extension = TRIPTYCH_FORMAT.name;
     let (mut taken, mut all) = (BTreeSet::new(), BTreeMap::new());
+    // How many figures of a name there were, from which on the search for a free one begins.
+    let mut counts: BTreeMap<OsString, usize> = BTreeMap::new();
     for file in jobs.iter().flat_map(|job| &job.files) {
         let Target::File(path) = &file.target else { continue };
         let is_image = path.extension().is_none_or(|e| e == extension);
         let stem = if is_image { path.file_stem() } else { path.file_name() }.unwrap_or_default();
-        let name = (1..).find_map(|count| {
+        let first = counts.entry(stem.to_owned()).or_insert(0);
+        let name = (*first + 1..).find_map(|count| {
+            *first = count;
             let mut name = stem.to_owned();
             if count > 1 {
                 name.push(format!("-{count}"));

@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 use std::num::NonZeroUsize;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use tracefig::scene::{SceneFile, Solution};
@@ -114,6 +114,10 @@ enum Errors {
 impl Solve {
     /// Answers a stream line by line, in its order.
     fn stream(&self, console: &mut Console) -> io::Result<Status> {
+        if self.summary.as_deref() == Some(Path::new("-")) {
+            console.error("standard output takes the answers: give `--summary` a file");
+            return Ok(Status::Usage);
+        }
         let part = self.partition.unwrap_or(Partition::WHOLE);
         let (tally, end) = answer_all(io::stdin(), part, threads(self.threads), &mut console.out);
         console.out.flush()?;

@@ -13,6 +13,7 @@ use std::time::Duration;
 
 use clap::Args;
 use notify::{Event, RecommendedWatcher, RecursiveMode, Watcher, recommended_watcher};
+use tracefig::figure::theme;
 use tracefig::output::format;
 
 use super::atomic_file::clear_leftovers;
@@ -173,6 +174,11 @@ impl Watch {
         for job in jobs {
             if let Input::File(path) = &job.input {
                 all.insert(folder(path));
+                // A theme that the scene itself asks for.
+                let file = job.input.open().ok();
+                let asked = file.as_ref().and_then(|file| file.scene.canvas.theme.as_ref());
+                let theme = asked.filter(|theme| theme::is_file(&theme.value));
+                all.extend(theme.map(|theme| folder(&folder(path).join(&theme.value))));
             }
         }
         for settings in each_settings(jobs) {

@@ -31,10 +31,10 @@ pub(super) const FORMAT: Format = Format {
 };
 
 /// How long a frame is shown, in milliseconds.
-const FRAME: u16 = 80;
+const FRAME: u32 = 80;
 
 /// How long the last frame is shown, in milliseconds: the result is what the reader should see.
-const LAST_FRAME: u16 = 1500;
+const LAST_FRAME: u32 = 1500;
 
 /// What a second has of the unit of those times.
 const MILLISECONDS: u16 = 1000;
@@ -47,15 +47,14 @@ const ONCE: u32 = 1;
 
 fn write(drawings: &[&Drawing], options: &Options) -> Result<Vec<u8>, OutputError> {
     let last = drawings.len().saturating_sub(1);
-    let times: Vec<u16> = (0..drawings.len()).map(|i| if i == last { LAST_FRAME } else { FRAME }).collect();
+    let times: Vec<u32> = (0..drawings.len()).map(|i| if i == last { LAST_FRAME } else { FRAME }).collect();
     animation(drawings, &times, PLAYS, options)
 }
 
 /// Writes a frame for each step, played once: the figure stays.
 fn write_steps(drawing: &Drawing, options: &Options, in_steps: InSteps) -> Result<Vec<u8>, OutputError> {
     let steps: Vec<Drawing> = (1..=drawing.steps.len()).map(|step| drawing.at_step(step)).collect();
-    let times = holds(drawing, in_steps).into_iter().map(|time| u16::try_from(time).unwrap_or(u16::MAX));
-    animation(&steps.iter().collect::<Vec<_>>(), &times.collect::<Vec<_>>(), ONCE, options)
+    animation(&steps.iter().collect::<Vec<_>>(), &holds(drawing, in_steps), ONCE, options)
 }
 
 /// Writes all pictures of a figure that plays, again and again.
@@ -67,7 +66,7 @@ fn write_motion(drawing: &Drawing, options: &Options, in_motion: InMotion) -> Re
 /// An animation of drawings, each shown for some milliseconds.
 fn animation(
     drawings: &[&Drawing],
-    times: &[u16],
+    times: &[u32],
     plays: u32,
     options: &Options,
 ) -> Result<Vec<u8>, OutputError> {
@@ -89,11 +88,20 @@ fn animation(
     }
     let mut writer = encoder.write_header().map_err(refused)?;
     for (drawing, time) in drawings.iter().zip(times) {
-        writer.set_frame_delay(*time, MILLISECONDS).map_err(refused)?;
+        let (count, parts) = delay(*time);
+        writer.set_frame_delay(count, parts).map_err(refused)?;
         writer.write_image_data(&frame(drawing, options.scale, is_clear)?).map_err(refused)?;
     }
     writer.finish().map_err(refused)?;
     Ok(out)
+}
+
+/// Some milliseconds as a count of parts of a second, each of 16 bits; of more than a minute the parts are
+/// coarser.
+fn delay(milliseconds: u32) -> (u16, u16) {
+    let parts = [MILLISECONDS, 100, 10, 1];
+    let count = |parts: u16| u16::try_from(milliseconds / u32::from(MILLISECONDS / parts)).ok();
+    parts.into_iter().find_map(|parts| Some((count(parts)?, parts))).unwrap_or((u16::MAX, 1))
 }
 
 /// Every pixel of a drawing: red, green, blue, and opacity where some frame `is_clear`.
@@ -112,6 +120,12 @@ mod tests {
     use super::*;
 
     #[test]
+    fn a_long_time_is_counted_in_coarser_parts() {
+        let delays = [0, 65_535, 65_536, 100_000, 600_000].map(delay);
+        assert_eq!(delays, [(0, 1000), (65_535, 1000), (6_553, 100), (10_000, 100), (60_000, 100)]);
+    }
+
+    #[test]
     fn every_frame_can_be_read_and_shows_its_drawing() {
         let first = everything();
         let mut second = first.clone();
@@ -124,7 +138,7 @@ mod tests {
             let mut rgb = vec![0; reader.output_buffer_size().unwrap()];
             reader.next_frame(&mut rgb).unwrap();
             let control = reader.info().frame_control.unwrap();
-            assert_eq!((control.delay_num, control.delay_den), (time, 1000));
+            assert_eq!((control.delay_num, control.delay_den), (u16::try_from(time).unwrap(), 1000));
             let pixels = rasterize(&drawing, 0.5).unwrap();
             let expected: Vec<u8> = pixels.rgba.chunks_exact(4).flat_map(|p| [p[0], p[1], p[2]]).collect();
             assert!(rgb == expected);

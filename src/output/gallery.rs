@@ -21,7 +21,7 @@ const STYLE: &str = ":root{color-scheme:light dark}\
 pub struct Gallery {
     /// The address of the page.
     pub page: String,
-    /// The address of its picture.
+    /// The address of its picture; may be empty.
     pub picture: String,
     /// The title, in plain words.
     pub title: String,
@@ -58,9 +58,13 @@ pub fn gallery(pages: &[Gallery]) -> String {
         }
         out.push_str(" href=\"");
         push_address(&mut out, page);
-        out.push_str("\"><img loading=\"lazy\" alt=\"\" src=\"");
-        push_address(&mut out, picture);
-        out.push_str("\"><strong>");
+        out.push_str("\">");
+        if !picture.is_empty() {
+            out.push_str("<img loading=\"lazy\" alt=\"\" src=\"");
+            push_address(&mut out, picture);
+            out.push_str("\">");
+        }
+        out.push_str("<strong>");
         escape(&mut out, title);
         out.push_str("</strong>");
         if !words.is_empty() {

@@ -76,6 +76,8 @@ fn write_steps(drawing: &Drawing, options: &Options, in_steps: InSteps) -> Resul
 /// Writes all pictures of a figure that plays, again and again.
 fn write_motion(drawing: &Drawing, options: &Options, in_motion: InMotion) -> Result<Vec<u8>, OutputError> {
     let (pictures, times) = played(drawing, options, (in_motion, f64::from(HUNDREDTHS)))?;
+    // The longest that is asked for is ten minutes, and eleven fit.
+    let times: Vec<u16> = times.into_iter().map(|time| u16::try_from(time).unwrap_or(u16::MAX)).collect();
     animation(&pictures, &times, Repeat::Infinite, options)
 }
 

@@ -38,12 +38,12 @@ impl InMotion {
     /// How long each picture is shown, in parts of a second. Errors do not add up: the k-th picture ends
     /// where it should, rounded.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "saturates, and NaN is 0")]
-    fn times(self, rests: impl Iterator<Item = bool>, parts: f64) -> Vec<u16> {
+    fn times(self, rests: impl Iterator<Item = bool>, parts: f64) -> Vec<u32> {
         let (mut now, mut shown) = (0.0_f64, 0.0_f64);
         let time = |rests| {
             now += if rests { self.hold } else { 1.0 / self.fps };
             let before = std::mem::replace(&mut shown, (parts * now).round());
-            (shown - before) as u16
+            (shown - before) as u32
         };
         rests.map(time).collect()
     }
@@ -54,7 +54,7 @@ pub(super) fn played<'d>(
     drawing: &'d Drawing,
     options: &Options,
     (in_motion, parts): (InMotion, f64),
-) -> Result<(Vec<&'d Drawing>, Vec<u16>), OutputError> {
+) -> Result<(Vec<&'d Drawing>, Vec<u32>), OutputError> {
     let pictures = drawing.pictures();
     let (width, height) = raster::size(drawing, options.scale)?;
     let dots = f64::from(width) * f64::from(height);

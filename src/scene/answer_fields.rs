@@ -7,7 +7,7 @@ use crate::collision::{AnswerField, QueryKind};
 
 /// The keys of a line of `solve --json` and `solve --jsonl`.
 pub static LINE_FIELDS: [AnswerField; 5] = [
-    AnswerField::of("`--json`", "scene", "the name of the scene's file, without its ending"),
+    AnswerField::of("`--json`", "scene", "the name of the scene's file"),
     AnswerField::of("`--jsonl`", "id", "the `id` of the line, as it is written there; else null"),
     AnswerField::of("a scene that is right", "result", "the answer, with the keys below"),
     AnswerField::of("a line that is refused", "line", "its number, from 1"),

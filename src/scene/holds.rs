@@ -61,7 +61,7 @@ pub enum Holds {
     Drags,
     /// A text or a list of texts; the words say of what.
     Texts(&'static str),
-    /// A number in [0, 1], or "start", "hit", "closest", "end".
+    /// A number in [0, 1], or a word of [`super::When`].
     Moment,
     /// A direction such as "NE", or an offset `[dx, dy]` in page pixels.
     LabelPlace,
@@ -105,7 +105,9 @@ impl Holds {
             Self::Names => "a list of names of shapes".to_owned(),
             Self::Drags => "a list of shapes, or of what they have, as [\"A\", \"B.velocity\"]".to_owned(),
             Self::Texts(what) => format!("{what}: a text or a list of texts"),
-            Self::Moment => "a number in [0, 1], \"start\", \"hit\", \"closest\" or \"end\"".to_owned(),
+            Self::Moment => {
+                "a number in [0, 1], \"start\", \"hit\", \"closest\", \"bound\" or \"end\"".to_owned()
+            }
             Self::LabelPlace => {
                 "one of \"E\", \"NE\", \"N\", \"NW\", \"W\", \"SW\", \"S\", \"SE\", or [dx, dy]".to_owned()
             }
@@ -115,5 +117,19 @@ impl Holds {
             Self::Table => "a table".to_owned(),
             Self::Anything => "anything".to_owned(),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::When;
+
+    #[test]
+    fn every_word_of_a_moment_is_expected() {
+        let expected = Holds::Moment.expected();
+        let unsaid = When::WORDS.iter().filter(|(word, _)| !expected.contains(&format!("\"{word}\"")));
+        assert_eq!(unsaid.count(), 0, "{expected}");
+        assert_eq!(expected.matches('"').count(), 2 * When::WORDS.len());
     }
 }

@@ -110,14 +110,24 @@ pub(super) fn read(top: &Checked<'_>, bodies: &[body::Read], p: &mut Problems) -
             let word = |item| Some(Spanned { value: drag(as_text(item)?, bodies)?, span: item.span.clone() });
             let found = |item| {
                 let found = word(item);
-                if found.is_none() {
+                if found.is_none() && !p.is_full() {
                     let known = known(bodies);
                     let got = as_text(item).unwrap_or_default().to_owned();
                     p.add(Fault::UnknownWord { what: "thing to drag", got, known }, &item.span);
                 }
                 found
             };
-            items.iter().filter_map(found).collect()
+            // What is named again is known.
+            let mut named = Vec::new();
+            items
+                .iter()
+                .filter_map(found)
+                .filter(|it| {
+                    let is_new = !named.contains(&it.value);
+                    named.extend(is_new.then_some(it.value));
+                    is_new
+                })
+                .collect()
         }),
         snap: table.number("snap").map_or(usual.snap, |snap| snap.value),
         steps: table.switch("steps").unwrap_or(usual.steps),
@@ -172,6 +182,12 @@ mod tests {
         assert_eq!(problems.len(), 1, "{problems:?}");
         let quoted = text[problems[0].span.clone()].to_owned();
         (problems[0].fault.to_string(), problems[0].fault.help().unwrap_or_default(), quoted)
+    }
+
+    #[test]
+    fn what_is_named_again_is_named_once() {
+        let named = said("live.drag = ['A', 'b.c.velocity', 'A']").drag.unwrap();
+        assert_eq!(named.iter().map(|it| it.value.body).collect::<Vec<_>>(), [0, 1]);
     }
 
     #[test]

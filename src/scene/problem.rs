@@ -299,9 +299,14 @@ pub(crate) const MAX_PROBLEMS: usize = 50;
 impl Problems {
     /// Notes a fault at a place.
     pub(crate) fn add(&mut self, fault: Fault, span: &Range<usize>) {
-        if self.found.len() < MAX_PROBLEMS {
+        if !self.is_full() {
             self.found.push(Problem::new(fault, span.clone()));
         }
+    }
+
+    /// Whether no more are noted: what it takes to say one may be saved.
+    pub(crate) fn is_full(&self) -> bool {
+        self.found.len() >= MAX_PROBLEMS
     }
 
     /// Whether nothing is wrong so far.

@@ -79,6 +79,9 @@ fn names(table: &Checked<'_>, shapes: &[body::Read], p: &mut Problems) -> Option
     let mut all_known = true;
     for item in as_list(table.get("of")?)? {
         let name = as_text(item)?;
+        if p.is_full() {
+            return None;
+        }
         match shapes.iter().position(|s| s.name.value == name) {
             Some(i) if found.contains(&i) => {
                 let message = format!("`of`: expected different shapes, got `{name}` twice");

@@ -140,6 +140,7 @@ fn of_shape(error: &ShapeError) -> Option<&'static str> {
 fn example(key: &str, expected: &str) -> Option<&'static str> {
     let examples = [
         ("two numbers", "[1, 0.5]"),
+        ("a number in [0, 1]", "0.5"),
         ("a number", "1.5"),
         ("a whole number", "3"),
         ("true or false", "true"),

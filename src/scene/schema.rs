@@ -16,7 +16,7 @@ use super::project_fields::{HANDOUT, PROJECT, RENDER};
 use super::{COMPASS, Grip, When};
 
 /// The tag of a language: letters, then parts of letters and digits.
-const LANGUAGE: &str = "^[A-Za-z]{2,8}(-[A-Za-z0-9]{1,8})*$";
+const LANGUAGE: &str = "^[A-Za-z]{2,3}(-[A-Za-z0-9]{1,8})*$";
 
 /// Between which sizes the larger of two numbers lies whose squares add up to 1, as far as a rotation may be
 /// off, and a little more.

@@ -381,6 +381,9 @@ fn with_threads_an_answer_comes_before_the_next_line_too() {
 
 #[test]
 fn a_summary_that_cannot_be_written_is_no_wrong_input() {
+    let here = tempfile::tempdir().unwrap();
+    let ran = run_on(tracefig(here.path()).args(["solve", "--jsonl", "--summary", "-"]), mixed(1));
+    assert_eq!((ran.code, ran.out.as_str(), here.path().join("-").exists()), (Some(2), "", false));
     let folder = tempfile::tempdir().unwrap();
     let mut command = tracefig(folder.path());
     let ran = run_on(command.args(["solve", "--jsonl", "--summary", "nowhere/s.json"]), mixed(1));

@@ -144,7 +144,9 @@ fn a_figure_of_a_file_is_a_whole_png_that_says_nothing_of_itself() {
     let folder = folder_with("s.toml", &exercise());
     let file = run(tracefig(folder.path()).args(["moodle", "s.toml"]));
     let document = Document::parse(&file.out).unwrap();
-    for file in document.descendants().filter(|node| node.has_tag_name("file")) {
+    let files: Vec<_> = document.descendants().filter(|node| node.has_tag_name("file")).collect();
+    assert!(!files.is_empty(), "{}", file.out);
+    for file in files {
         assert_eq!((file.attribute("path"), file.attribute("encoding")), (Some("/"), Some("base64")));
         let bytes = bytes_of(file.text().unwrap());
         let mut reader = png::Decoder::new(std::io::Cursor::new(&bytes)).read_info().unwrap();

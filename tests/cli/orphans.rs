@@ -276,3 +276,20 @@ fn what_a_figure_of_a_scene_leads_to_is_no_orphan() {
     assert_eq!((ran.code, orphans(&ran)), (Some(0), vec![]), "{}{}", ran.out, ran.err);
     assert!(here.join("docs/img/kept.svg").exists());
 }
+
+#[test]
+fn what_a_run_drew_into_a_folder_below_its_scenes_is_no_orphan_of_a_search_above() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    fs::create_dir_all(here.join("docs/de")).unwrap();
+    for name in ["a", "de/b"] {
+        fs::write(here.join(format!("docs/{name}.toml")), drawn()).unwrap();
+    }
+    let ran = run(tracefig(here).args(["render", "docs", "-o", "docs/img", "--format", "svg"]));
+    assert_eq!((ran.code, pictures(here).len()), (Some(0), 2), "{}", ran.err);
+    let ran = check(here, &["docs", "--prune", "--format", "svg"]);
+    assert_eq!((orphans(&ran), pictures(here).len()), (vec![], 2), "{}", ran.out);
+    // What no scene is called is one.
+    fs::rename(here.join("docs/img/a.svg"), here.join("docs/img/c.svg")).unwrap();
+    assert_eq!(orphans(&check(here, &["docs", "--format", "svg"])), ["c.svg"]);
+}

@@ -210,3 +210,20 @@ fn one_file_may_be_named_and_its_end_says_the_format() {
     fs::create_dir(here.join("y.svg")).unwrap();
     assert_eq!(ran(here, &["render", "s.toml", "-o", "y.svg", "--format", "svg"]).out, "y.svg/s.svg\n");
 }
+
+#[test]
+fn a_project_file_that_is_too_long_is_not_read_in_part() {
+    let long = format!("[render]\noutput = 'img'\n{}nothing = 1\n", "#\n".repeat(2 << 20));
+    let folder = tree(&[("tracefig.toml", &long), ("figures/x.toml", &drawn())]);
+    let got = ran(folder.path(), &["render"]);
+    assert_eq!(got.code, Some(74), "{}", got.err);
+    assert!(got.err.contains("expected at most 4194304 bytes"), "{}", got.err);
+}
+
+#[test]
+fn scenes_of_a_project_that_is_wrong_are_not_listed_as_none() {
+    let folder = tree(&[("tracefig.toml", "[rendr]\n"), ("figures/x.toml", &drawn())]);
+    let got = ran(folder.path(), &["list", "figures"]);
+    assert_eq!((got.code, got.out.as_str()), (Some(1), ""), "{}", got.err);
+    assert!(got.err.contains("rendr"), "{}", got.err);
+}

@@ -72,6 +72,13 @@ pub(crate) fn places(page: &str) -> Vec<Place> {
         }));
     }
     found.sort_by_key(|place| place.range.start);
+    // What stands within another one is part of that, whatever it asks for.
+    let mut end = 0;
+    found.retain(|place| {
+        let is_next = place.range.start >= end;
+        end = end.max(place.range.end);
+        is_next
+    });
     found
 }
 
@@ -198,6 +205,13 @@ mod tests {
         let places = places(page);
         assert!(page[places[0].range.clone()].trim_end().ends_with("b = 2\n```"));
         assert_eq!(&page[places[2].range.clone()], "{{=x/y.toml separation:.2}}");
+    }
+
+    #[test]
+    fn what_stands_within_another_place_is_part_of_it() {
+        let page = "{{=a {{=b c}}\n\n{{#tracefig s.toml alt=\"see [x](../../b.rs)\"}}\n";
+        let texts: Vec<&str> = places(page).iter().map(|place| &page[place.range.clone()]).collect();
+        assert_eq!(texts, ["{{=a {{=b c}}", "{{#tracefig s.toml alt=\"see [x](../../b.rs)\"}}"]);
     }
 
     #[test]

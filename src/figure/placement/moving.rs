@@ -4,6 +4,7 @@ use super::faults::{LabelFault, faults};
 use super::solve::{Ground, Old, searched};
 use super::weights::{TUNED, Weights};
 use super::{Labelled, Sought};
+use crate::scene::LabelPlace;
 
 /// In how many frames a label that stands badly wherever it goes stays where it is, before all is tried
 /// again, which takes as long as several frames.
@@ -58,18 +59,20 @@ pub(super) fn place_by(weights: &Weights, sought: &[Sought], ground: &Ground) ->
     marked(if faults(&kept).len() <= wrong.len() { kept } else { best }, &|_| 1)
 }
 
-/// Places the labels of a panel that nothing was drawn before: where the scene pins them, but where that is
-/// over the panel's edge and another place is not, since nobody reads what is cut off.
+/// Places the labels of a panel that nothing was drawn before: where the scene pins them, but where a direction
+/// leads over the panel's edge and another one does not, since nobody reads what is cut off. An offset in
+/// pixels is somebody's will.
 fn still(weights: &Weights, sought: &[Sought], ground: &Ground) -> Labelled {
     let search = |sought: &[Sought]| searched(weights, sought, ground, &|_| Old::Comfortable);
     let pinned = search(sought);
-    if sought.iter().all(|label| label.pin.is_none()) {
+    let is_led = |label: &Sought| matches!(label.pin, Some(LabelPlace::Compass(_)));
+    if !sought.iter().any(is_led) {
         return pinned;
     }
     let wrong = faults(&pinned);
     let is_cut = |label: &Sought| {
         let over = |fault: &LabelFault| matches!(fault, LabelFault::OverEdge { .. });
-        label.pin.is_some() && wrong.iter().any(|fault| over(fault) && fault.is_of(label.key, &label.span))
+        is_led(label) && wrong.iter().any(|fault| over(fault) && fault.is_of(label.key, &label.span))
     };
     if !sought.iter().any(is_cut) {
         return pinned;

@@ -258,7 +258,9 @@ mod tests {
     fn a_rounded_outline_is_everywhere_its_radius_from_the_core() {
         let core = [DVec2::ZERO, DVec2::new(2.0, 0.0), DVec2::new(1.0, 1.5)];
         let n = core.len();
-        for p in Outline::rounded(&core, 0.25).sampled() {
+        let points = Outline::rounded(&core, 0.25).sampled();
+        assert!(points.len() > 2 * n, "{points:?}");
+        for p in points {
             let distance = (0..n)
                 .map(|i| {
                     let (a, b) = (core[i], core[(i + 1) % n]);
