@@ -4,6 +4,7 @@
 //! path, and what an answer looks like, is said in `python/tracefig/__init__.py`.
 
 use std::num::NonZeroUsize;
+use std::panic::resume_unwind;
 use std::path::Path;
 use std::thread;
 
@@ -16,7 +17,7 @@ use tracefig::figure::theme::{self, Theme};
 use tracefig::figure::{draw, plan, plan_in};
 use tracefig::output::{Options, Writer, format};
 use tracefig::scene::{Explain, Ink, Refused, SceneFile, Severity, Solution, message};
-use tracefig::trace::{Trace, json_lines, story};
+use tracefig::trace::{Trace, Tracer, json_lines, story};
 
 create_exception!(_tracefig, SceneError, PyValueError, "A scene that can't be answered or drawn.");
 
@@ -55,10 +56,18 @@ fn theme_of(name: &str, folder: &Path) -> PyResult<Theme> {
             names.join(", ")
         )));
     }
-    let path = folder.join(name);
+    let dark_side = theme::dark_side_of(name);
+    let path = folder.join(dark_side.unwrap_or(name));
     let text = std::fs::read_to_string(&path)
         .map_err(|error| PyOSError::new_err(format!("{}: {error}", path.display())))?;
-    theme::parse(&text).map_err(|error| PyValueError::new_err(format!("{}: {error}", path.display())))
+    let whole =
+        theme::parse(&text).map_err(|error| PyValueError::new_err(format!("{}: {error}", path.display())))?;
+    match dark_side {
+        None => Ok(whole),
+        Some(file) => {
+            whole.in_the_dark().ok_or_else(|| PyValueError::new_err(format!("{file} has no table `[dark]`")))
+        }
+    }
 }
 
 /// A figure, drawn; it writes itself in every format.
@@ -146,8 +155,11 @@ fn solve_many(py: Python<'_>, lines: Vec<String>, threads: Option<NonZeroUsize>)
                 })
             });
             let running: Vec<_> = shares.collect();
-            // A line's bug is its own reply; a thread that ends otherwise has no lines to give.
-            running.into_iter().flat_map(|share| share.join().unwrap_or_default()).collect()
+            // A line's bug is its own reply; whatever else ends a thread is raised.
+            running
+                .into_iter()
+                .flat_map(|share| share.join().unwrap_or_else(|ended| resume_unwind(ended)))
+                .collect()
         })
     })
 }
@@ -159,6 +171,9 @@ fn trace(py: Python<'_>, name: &str, text: Option<&str>) -> PyResult<(String, St
     py.detach(|| {
         let mut events = Trace::default();
         (file.scene.query().algorithm.traced)(&file.scene.query_of_bodies(), &mut events);
+        if let Some(off) = Solution::of(&file.scene).off {
+            events.record(|| off.event());
+        }
         let lines = json_lines(&events).map_err(|error| PyValueError::new_err(error.to_string()))?;
         Ok((lines, story(&events, &file.scene.names())))
     })

@@ -89,6 +89,10 @@ def test_a_theme_is_a_word_or_a_file(tmp_path):
     assert "#FFF8E7" in tracefig.render(PAIR, theme=str(brand)).svg.upper()
     with pytest.raises(ValueError, match="dark"):
         tracefig.render(PAIR, theme="drak")
+    with pytest.raises(ValueError, match=r"no table `\[dark\]`"):
+        tracefig.render(PAIR, theme=f"{brand}#dark")
+    brand.write_text('[colors]\nbackground = "#FFF8E7"\n[dark]\nbackground = "#112233"\n')
+    assert "#112233" in tracefig.render(PAIR, theme=f"{brand}#dark").svg
 
 
 def test_many_scenes_keep_their_order_and_their_errors():
@@ -130,3 +134,9 @@ def test_a_trace_is_events_and_a_story():
     assert len(trace) == len(list(trace)) > 3
     assert all("event" in event for event in trace)
     assert str(trace).count("\n") >= 3
+
+
+def test_a_trace_says_how_far_what_was_expected_is_off():
+    expected = dict(PAIR, query=dict(PAIR["query"], expected={"separation": 1.5}))
+    events = [event["event"] for event in tracefig.trace(expected)]
+    assert len(events) == len(tracefig.trace(PAIR)) + 1
