@@ -65,7 +65,7 @@ class Edited {
     reset() {
         this.alive(() => {
             this.forget();
-            this.step = WHOLE;
+            [this.step, this.stepping] = [WHOLE, false];
             this.engine.x.tf_step(WHOLE);
             this.why.textContent = "";
             this.settleNow();
@@ -98,7 +98,9 @@ class Edited {
 
     // The result, or what the step says that is shown.
     said() {
-        const step = this.info.steps?.[this.step - 1];
+        // Whoever has gone through the steps reads the last one as it is, with the result at its end.
+        const steps = this.stepping ? this.info.steps : undefined;
+        const step = steps?.[Math.min(this.step, steps.length) - 1];
         if (!step || this.why.textContent) return this.info.sentence;
         const colon = this.language === "fr" ? "\u00a0:" : ":";
         const end = step.title.includes(":") ? "." : colon; // One colon is enough.
@@ -111,15 +113,14 @@ class Edited {
         return [whole, this.said()].filter(Boolean).join(" ");
     }
 
-    // The title of a page that says the result, and the long text below it, of the picture as it is.
+    // The title of a page that says the result, and the long text below it, are those of the picture as it is.
     entitle() {
-        const { sentence } = this.info;
+        const of = (name) => this.picture.svg.querySelector(name)?.textContent;
         const long = this.root.querySelector("details.words p");
         this.long ??= [...(long?.childNodes ?? [])]; // As it came: powers of ten are raised.
-        const now = this.picture.svg.querySelector("desc")?.textContent;
-        long?.replaceChildren(...(this.edits.size > 0 && now ? [now] : this.long));
-        if (this.alone && this.told) document.title = document.title.replace(this.told, () => sentence);
-        this.told = sentence;
+        const now = this.edits.size > 0 && of("desc");
+        long?.replaceChildren(...(now ? [now] : this.long));
+        if (this.alone) document.title = of("title") ?? document.title;
     }
 
     toAddress() {

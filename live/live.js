@@ -42,7 +42,7 @@ class Figure extends Edited {
     constructor(root, request, alone) {
         const { scene, info, id } = JSON.parse(request);
         super(scene);
-        Object.assign(this, { root, alone, info, id, told: info?.sentence });
+        Object.assign(this, { root, alone, info, id });
         this.stage = root.querySelector("figure");
         this.picture = new Picture(this.stage.querySelector("svg"));
         this.knobs = new Map();
@@ -382,7 +382,7 @@ class Figure extends Edited {
     }
 
     toStep(step) {
-        this.step = step;
+        [this.step, this.stepping] = [step, true];
         this.alive(() => {
             this.engine.x.tf_step(step);
             this.draw();

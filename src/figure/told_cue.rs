@@ -3,6 +3,7 @@
 use std::mem::Discriminant;
 use std::sync::Arc;
 
+use crate::collision::Answer;
 use crate::scene::Scene;
 use crate::trace::{Event, Voice, growth, so_far, step, taken, told};
 
@@ -58,7 +59,8 @@ impl Told {
             Event::Finished { .. } => {
                 let of_a_moment = cue.teller == Teller::OtherQuestion;
                 let title = if of_a_moment { step::title_at(cue.asked, voice) } else { title };
-                tell(title, result((scene, voice), runs, run))
+                let end = end_of_advancement(run, all_cues, voice);
+                tell(title, together(end.into_iter().chain([result((scene, voice), runs, run)])))
             }
             Event::SimplexUpdated { .. } | Event::PolytopeExpanded { .. } => {
                 let all = &run.trace.events;
@@ -111,6 +113,14 @@ fn advanced((run, event): (&Run, &Event), (cue, all): (Cue, &[Cue]), voice: Voic
     let said = left_out.map(|count| step::left_out(count, voice));
     let own = parts.map(|part| step::sentence_of_part(event, part, voice));
     Some(together(said.into_iter().chain(own)))
+}
+
+/// Why the advancement of a run ends, where no mark of the figure comes with that.
+fn end_of_advancement(run: &Run, all: &[Cue], voice: Voice) -> Option<String> {
+    let Answer::Impact(impact) = &run.answer else { return None };
+    let last = run.last_cue(|event| matches!(event, Event::Advanced { .. }))?.part(step::advanced::NEXT);
+    let event = run.event_of(&last).filter(|_| !all.contains(&last))?;
+    step::end_of_advancement(event, impact.tolerance, voice)
 }
 
 /// What a run came to.

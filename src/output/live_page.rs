@@ -32,7 +32,8 @@ pub(super) const STYLE: &str = include_str!("../../live/live.css");
 /// How the page around it looks.
 const PAGE: &str = "body{margin:0 auto;padding:1rem;max-width:62rem;font:1rem/1.5 system-ui,sans-serif}\
                     h1{font-size:1rem;margin:0 0 .5rem}\
-                    nav a{color:inherit;display:inline-block;padding:.6rem 0}";
+                    nav a{color:inherit;display:inline-block;padding:.6rem 0}\
+                    @media print{nav{display:none}}";
 
 /// What a live page has besides the drawing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -220,7 +220,11 @@ pub(super) static LABEL: TableRows = TableRows {
     place: "a label",
     fields: &[
         may("text", Holds::Text, "text instead of the default"),
-        may("at", Holds::LabelPlace, "pins it: \"NE\", unless that leads over the panel's edge, or an offset [dx, dy] in pixels, y down"),
+        may(
+            "at",
+            Holds::LabelPlace,
+            "pins it: \"NE\", unless that leads over the panel's edge, or an offset [dx, dy] in pixels, y down",
+        ),
         may("hide", Holds::Switch, "true: it is not drawn"),
     ],
 };

@@ -100,7 +100,8 @@ pub(super) const LAYER: Layer = Layer {
     needs: "a query for the motion bound of a body that turns, and a panel of a frame that rests",
     fed: |context, options| {
         let Some(t) = turn(context, options) else {
-            return Fed::by_the_frame(false, context, "the panel's frame moves");
+            let is_moving = context.moving_frame().is_some();
+            return if is_moving { Fed::not_here("the panel's frame moves") } else { Fed::Never };
         };
         if NOTES && wants_another(context, options) {
             return Fed::Without { option: "vertex", why: "that vertex is none of the farthest" };

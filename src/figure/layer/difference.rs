@@ -214,6 +214,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     if options.flag("sources", false) {
         sources(sketch, context, &found);
     }
+    cues.told_in_turn(sketch, &found.edges, |edge| found.drawn(edge));
 }
 
 /// Draws where it is at another moment: its outline, dotted, with its name and that moment.

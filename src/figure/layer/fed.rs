@@ -96,11 +96,17 @@ impl Fed {
         }
     }
 
-    /// Fed where it has something to draw; else, in the panel of a frame that moves, not there, for `why`.
-    pub(super) fn by_the_frame(found: bool, context: &Context, why: &'static str) -> Self {
+    /// Fed where it has something to draw; else, in the panel of a frame that moves, not there, for the first
+    /// reason, and in a question for the first contact, whose bodies may well be at rest, for the second.
+    pub(super) fn by_the_frame(
+        found: bool,
+        context: &Context,
+        [of_frame, at_rest]: [&'static str; 2],
+    ) -> Self {
         match (found, context.moving_frame()) {
             (true, _) => Self::Yes,
-            (false, Some(_)) => Self::not_here(why),
+            (false, Some(_)) => Self::not_here(of_frame),
+            (false, None) if context.asks_for_a_hit() => Self::not_here(at_rest),
             (false, None) => Self::Never,
         }
     }

@@ -81,7 +81,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         }
     }
     if options.flag("copies", true) {
-        copies(sketch.since(None), context, [&outline_a, &outline_b], b);
+        copies(sketch.since(cues.first()), context, [&outline_a, &outline_b], b);
         // A lies on them, and has room for its name.
         sketch.hidden_under(&outline_a);
     }
@@ -89,19 +89,19 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     sketch.since(None).part("body-A").area(&outline_a, Some(Wash::faint(Role::Background, 1.0)), None);
     sketch.area(&outline_a, Some(Wash::theme(Role::A)), Some(Pen::outline(Role::A)));
     let around = if options.flag("around", false) {
-        around(sketch, context, &found, &outline_b, b)
+        around(sketch.since(cues.first()), context, &found, &outline_b, b)
     } else {
         Vec::new()
     };
     edges(sketch, &found, &cues, turned);
-    sketch.since(None).part("around");
+    sketch.since(cues.first()).part("around");
     for &place in &around {
         sketch.marker(place, Marker::Square, Role::B, MARKER);
     }
     if let (Some(&first), Some(letter)) = (around.first(), letter_of_b(context)) {
         sketch.label(Label::new("b'", letter, Anchor::point(first), Role::B).rank(Rank::Point));
     }
-    sketch.part("ghost-B").area(&outline_b, None, Some(Pen::ghost(Role::B)));
+    sketch.since(None).part("ghost-B").area(&outline_b, None, Some(Pen::ghost(Role::B)));
     if options.flag("distance", false) {
         distance(sketch.since(context.separation_at(context.time).map(|run| run.end())), context, &found, b);
     }
@@ -114,6 +114,10 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         Label::new("b", letter_of_b(context).unwrap_or_else(name), Anchor::point(b), Role::B)
             .rank(Rank::Point),
     );
+    cues.told_in_turn(sketch, &found.edges, |edge| {
+        let (from, to) = found.drawn(edge);
+        (turned(from), turned(to))
+    });
 }
 
 /// Names the grown A, if the scene does, where its outline is farthest from B's point `b`: there is room.

@@ -80,7 +80,11 @@ pub(super) const LAYER: Layer = Layer {
     fed: |context, options| {
         let cut = (options.word("cut", "") == When::HIT).then_some("cut");
         let given = cut.or(options.flag("lines", false).then_some("lines")).filter(|_| NOTES);
-        Fed::by_the_scene(velocity_along(context).is_some()).with_a_hit_for(given, context)
+        let found = velocity_along(context).is_some();
+        if !found && context.asks_for_a_hit() && !context.turns() {
+            return Fed::not_here("the bodies do not move relative to each other");
+        }
+        Fed::by_the_scene(found).with_a_hit_for(given, context)
     },
     draw,
 };
@@ -172,15 +176,25 @@ fn tests(sketch: &mut Sketch, context: &Context, from: DVec2, v: DVec2) {
         first = if follows { first } else { cue };
         let goes = outcome == Culling::Missed;
         let next = all.get(i + 1).filter(|_| goes).map_or(run.end(), |(next, _)| *next);
-        if first == next || ends[0] == ends[1] {
+        if first == next {
             continue;
         }
         let role = if is_away { Role::Muted } else { Role::Now };
         sketch.passing([first, next], |sketch| {
-            sketch.part("tested").line(ends[0], ends[1], Pen::highlighted(role));
-            let meets = time.filter(|time| goes && (0.0..=1.0).contains(time));
-            if let Some(time) = meets {
-                line_to(sketch, ends, from + v * time);
+            sketch.part("tested");
+            // Of round bodies a vertex, about which the outline runs.
+            if ends[0] == ends[1] {
+                sketch.marker(ends[0], Marker::HollowDisc, role, LARGE_MARKER);
+            } else {
+                sketch.line(ends[0], ends[1], Pen::highlighted(role));
+            }
+            let Some(at) = time.filter(|time| (0.0..=1.0).contains(time)).map(|time| from + v * time) else {
+                return;
+            };
+            if goes {
+                line_to(sketch, ends, at);
+            } else if outcome == Culling::Hit {
+                sketch.part("meets").marker(at, Marker::HollowDisc, Role::Ink, MARKER);
             }
         });
     }

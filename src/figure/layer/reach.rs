@@ -4,6 +4,7 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, Pen, Sketch};
 use crate::figure::text::number;
 use crate::geometry::{Body, DVec2, Side};
+use crate::scene::When;
 
 use super::{Options, part};
 
@@ -15,6 +16,10 @@ const SLIM: f64 = 56.0;
 /// the first contact, as in the bound on the approach: a disc is as near whichever way it is turned.
 pub(super) fn reaches(sketch: &mut Sketch, context: &Context, options: &Options) {
     let turns = context.sides().iter().any(|&side| context.body(side).is_some_and(Body::turns));
+    if turns && context.asks_for_a_hit() {
+        // In steps it comes with the bound that it is for.
+        sketch.since(context.known(&When::Bound));
+    }
     for side in options.of(&context.sides()) {
         let (Some(body), Some(pose)) = (context.body(side), context.pose(side, context.time)) else {
             continue;

@@ -47,7 +47,8 @@ pub(super) const LAYER: Layer = Layer {
     ],
     needs: "a body that turns, as the panel shows it",
     fed: |context, _| {
-        Fed::by_the_frame(!turning(context).is_empty(), context, "seen from the panel's frame nothing turns")
+        let why = ["seen from the panel's frame nothing turns", "no body turns"];
+        Fed::by_the_frame(!turning(context).is_empty(), context, why)
     },
     draw,
 };

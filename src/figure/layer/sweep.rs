@@ -36,7 +36,7 @@ pub(super) const LAYER: Layer = Layer {
     needs: "a question for the first contact, and a body that goes straight, as the panel shows it",
     fed: |context, options| {
         let straight = !swept(context, options).is_empty();
-        let why = "seen from the panel's frame nothing goes straight";
+        let why = ["seen from the panel's frame nothing goes straight", "no body goes straight"];
         match options.word("to", When::HIT) {
             _ if !straight => Fed::by_the_frame(false, context, why),
             When::END => Fed::by_the_scene(context.asks_for_a_hit()),

@@ -80,7 +80,7 @@ pub(super) const LAYER: Layer = Layer {
         if given.is_some() && !context.asks_for_a_hit() {
             return Fed::Never;
         }
-        let why = "seen from the panel's frame nothing moves";
+        let why = ["seen from the panel's frame nothing moves", "no body moves"];
         let fed = Fed::by_the_frame(!moving(context).is_empty(), context, why);
         fed.with_a_hit_for(given.map(|(option, _)| option), context)
     },

@@ -4,8 +4,8 @@
 use super::hand::Hand;
 use super::phrases::moving::{
     AGREES, AT_TIME, BEGINS, BOUND, CLOSEST, ENDS, ENTERED, FACES_AWAY, INCOMPARABLE, MISSED, NORMAL_BY, OFF,
-    OFF_BY, ON_TO, OUTCOME_BY, PATH, PATHS, POINT_BY, RAY, SEPARATION_BY, STEP, STOPS, SWEPT, THAN, TIME_BY,
-    WITH_TURNING,
+    OFF_BY, ON_TO, OUTCOME_BY, PATH, PATHS, POINT_BY, RAY, RAY_AT, SEPARATION_BY, STEP, STOPS, SWEPT, THAN,
+    TIME_BY, WITH_TURNING,
 };
 use super::words::Voice;
 use crate::geometry::{DVec2, Feature, MOST_EPS, Side};
@@ -28,7 +28,11 @@ pub(super) fn ray(
     };
     let when = time.map_or_else(String::new, |t| voice.say(&AT_TIME, &[&voice.number(t)]));
     let (part, body) = (voice.part((side, feature)), voice.of(side));
-    voice.say(&RAY, &[&part, &body, &voice.point(from), &voice.point(to), &voice.word(came), &when])
+    let (start, came) = (voice.point(from), voice.word(came));
+    if from == to {
+        return voice.say(&RAY_AT, &[&part, &body, &start, &came, &when]);
+    }
+    voice.say(&RAY, &[&part, &body, &start, &voice.point(to), &came, &when])
 }
 
 pub(super) fn advanced(

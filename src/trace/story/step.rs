@@ -227,6 +227,18 @@ pub(crate) fn sentence_of_difference(edges: usize, is_given: bool, voice: Voice)
     voice.say(if is_given { &UNBUILT } else { &EDGES }, &[&voice.difference(), &edges.to_string()])
 }
 
+/// Why an advancement to a tolerance ends with an event; `None` of one that goes on.
+#[must_use]
+pub(crate) fn end_of_advancement(event: &Event, tolerance: f64, voice: Voice) -> Option<String> {
+    match event {
+        Event::Advanced { next: None, separation, .. } if *separation <= tolerance => {
+            Some(voice.say(&words::WITHIN_TOLERANCE, &[&voice.number(tolerance)]))
+        }
+        Event::Advanced { next: None, .. } => Some(sentence_of_part(event, advanced::NEXT, voice)),
+        _ => None,
+    }
+}
+
 /// What is said of steps of an advancement of which a figure shows none.
 #[must_use]
 pub(crate) fn left_out(count: usize, voice: Voice) -> String {

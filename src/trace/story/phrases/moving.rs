@@ -8,6 +8,11 @@ phrases! {
         "Strahl gegen * von *, * bis *: **.",
         "Rayon contre * de *, * à * : **.",
         "Rayo contra * de *, * a *: **.";
+    /// A ray and a vertex of round bodies: part, body, where, what came of it, when.
+    RAY_AT: "The ray against * of *, about *: **.",
+        "Strahl gegen * von *, um *: **.",
+        "Rayon contre * de *, autour de * : **.",
+        "Rayo contra * de *, en torno a *: **.";
     /// It was not looked at.
     FACES_AWAY: "it faces away, skipped",
         "abgewandt, übersprungen",

@@ -195,6 +195,11 @@ phrases! {
         "Sie nähern sich nicht mehr.",
         "Ils ne se rapprochent plus.",
         "Ya no se acercan.";
+    /// Why an advancement ends: the tolerance.
+    WITHIN_TOLERANCE: "That is no more than the tolerance *: it stops here.",
+        "Das ist nicht mehr als die Toleranz *: Hier ist Schluss.",
+        "Ce n’est pas plus que la tolérance * : fin des étapes.",
+        "No es más que la tolerancia *: aquí se detiene.";
     /// Steps that are not shown: how many.
     LEFT_OUT: "Steps in between: *.",
         "Schritte dazwischen: *.",
