@@ -4,8 +4,6 @@
 //! Each runs counter-clockwise, so the outline is the chain in which one edge begins where another ends.
 //! Where edges of both bodies lie on one line, B's comes first (`DifferenceEdgeFound` says so).
 
-use std::collections::BTreeMap;
-
 use crate::geometry::{DVec2, Side, sorted};
 use crate::trace::Event;
 
@@ -52,14 +50,16 @@ impl Difference {
     pub(crate) fn of<'e>(events: impl Iterator<Item = &'e Event>) -> Option<Self> {
         let mut found: Vec<Edge> = Vec::new();
         // At most two normals a number, those of a segment's two edges.
-        let mut known: BTreeMap<(bool, usize), Vec<DVec2>> = BTreeMap::new();
+        let mut known: [Vec<Vec<DVec2>>; 2] = Default::default();
         let (mut center, mut radius) = (None, 0.0);
         for event in events {
             match *event {
                 Event::Started { .. } if !found.is_empty() || center.is_some() => break,
                 Event::DifferenceEdgeFound { source, edge, vertex, from, to, normal, distance } => {
                     // A segment's two edges, there and back, bear one number.
-                    let normals = known.entry((source == Side::B, edge)).or_default();
+                    let of_side = &mut known[usize::from(source == Side::B)];
+                    of_side.resize(of_side.len().max(edge + 1), Vec::new());
+                    let normals = &mut of_side[edge];
                     if !normals.iter().any(|n| n.dot(normal) > 0.0) {
                         normals.push(normal);
                         found.push(Edge { source, index: edge, vertex, from, to, normal, distance });

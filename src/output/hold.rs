@@ -8,7 +8,7 @@ const FIND: f64 = 1.2;
 /// we read per minute?*, 2019); numbers and names of edges take longer.
 const WORD: f64 = 0.3;
 /// The least and the most seconds of a step: below, it flashes by; above, a reader thinks that it is over.
-const BOUNDS: [f64; 2] = [1.5, 9.0];
+const BOUNDS: [f64; 2] = [1.5, 15.0];
 
 /// How the steps of a figure are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -60,7 +60,7 @@ mod tests {
     fn a_long_sentence_is_shown_longer_and_none_for_ever() {
         let step = |words: usize| Step { title: String::new(), sentences: vec!["so ".repeat(words)] };
         let drawing = Drawing { steps: [0, 4, 10, 1000].map(step).to_vec(), ..everything() };
-        assert_eq!(holds(&drawing, InSteps::default()), [1500, 2400, 4200, 9000]);
+        assert_eq!(holds(&drawing, InSteps::default()), [1500, 2400, 4200, 15_000]);
         let fixed = InSteps { hold: Some(0.25), ..InSteps::default() };
         assert_eq!(holds(&drawing, fixed), [250; 4]);
     }

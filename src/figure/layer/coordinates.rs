@@ -6,7 +6,7 @@
 use crate::figure::context::Context;
 use crate::figure::sketch::Sketch;
 use crate::figure::text::{exponent, in_math};
-use crate::geometry::DVec2;
+use crate::geometry::{DVec2, read};
 
 use super::ruler::whole;
 
@@ -51,7 +51,7 @@ fn coordinate(x: f64, fine: f64) -> String {
     let text = format!("{x:.places$}");
     let short = without_zeros(&text);
     // Zeros say that digits were cut: 3.0018 is 3.00, and 3 only what computing has left beside a 3.
-    let exact = short.parse().is_ok_and(|short: f64| (x - short).abs() <= fine * NOTHING);
+    let exact = read(short).is_some_and(|short| (x - short).abs() <= fine * NOTHING);
     if exact { short.to_owned() } else { text }
 }
 

@@ -1,13 +1,11 @@
 //! With which event each edge of B ⊖ A comes, and the whole of it.
 
-use std::collections::BTreeMap;
-
 use crate::drawing::Role;
 use crate::figure::context::Context;
 use crate::figure::cue::Cue;
 use crate::figure::difference::Edge;
 use crate::figure::sketch::{Pen, Sketch};
-use crate::geometry::DVec2;
+use crate::geometry::{DVec2, sorted};
 use crate::trace::Event;
 
 /// The width of the line that shows an edge as new, page pixels: it is seen on both sides of the edge's own.
@@ -19,10 +17,11 @@ const MOST_IN_TURN: usize = 40;
 
 /// The cues of B ⊖ A at one moment.
 pub(super) struct EdgeCues {
-    /// The cue of each edge, by the bits of its ends.
-    edges: BTreeMap<[u64; 4], Cue>,
-    /// The edges as they were told, by their ends.
-    order: Vec<[u64; 4]>,
+    /// Each edge by the bits of its ends, with its cue, as they were told.
+    told: Vec<([u64; 4], Cue)>,
+    /// Places in that list, by the bits; of an edge that is told again, which was there already, the first
+    /// place comes first.
+    sorted: Vec<usize>,
     /// The cue of the whole.
     pub(super) whole: Option<Cue>,
 }
@@ -31,26 +30,26 @@ impl EdgeCues {
     /// The cues at a time in [0, 1].
     pub(super) fn at(context: &Context, time: f64) -> Self {
         let Some(run) = context.difference_at(time) else {
-            return Self { edges: BTreeMap::new(), order: Vec::new(), whole: None };
+            return Self { told: Vec::new(), sorted: Vec::new(), whole: None };
         };
         let ends = |event: &Event| match *event {
             Event::DifferenceEdgeFound { from, to, .. } => Some(key(from, to)),
             _ => None,
         };
-        // Where an edge is told again, it was there already.
-        let (mut edges, mut order) = (BTreeMap::new(), Vec::new());
-        for (cue, key) in run.cues(ends) {
-            edges.entry(key).or_insert_with(|| {
-                order.push(key);
-                cue
-            });
-        }
-        Self { edges, order, whole: run.whole_difference() }
+        let told: Vec<([u64; 4], Cue)> = run.cues(ends).map(|(cue, key)| (key, cue)).collect();
+        let sorted = sorted(told.len(), &|i, j| told[i].0.cmp(&told[j].0));
+        Self { told, sorted, whole: run.whole_difference() }
+    }
+
+    /// Where an edge was first told.
+    fn first_told(&self, edge: [u64; 4]) -> Option<usize> {
+        let before = self.sorted.partition_point(|&place| self.told[place].0 < edge);
+        self.sorted.get(before).copied().filter(|&place| self.told[place].0 == edge)
     }
 
     /// The cue of the first edge; that of the whole where no event told one.
     pub(super) fn first(&self) -> Option<Cue> {
-        self.order.first().and_then(|key| self.edges.get(key)).copied().or(self.whole)
+        self.told.first().map(|(_, cue)| *cue).or(self.whole)
     }
 
     /// Draws each of some edges in turn, by its two ends, as what is new until the next one comes: in steps
@@ -61,11 +60,13 @@ impl EdgeCues {
         edges: &[Edge],
         ends: impl Fn(&Edge) -> (DVec2, DVec2),
     ) {
-        let cue = |key: &[u64; 4]| self.edges.get(key).copied();
-        for (k, own) in self.order.iter().enumerate().take(MOST_IN_TURN) {
-            let edge = edges.iter().find(|edge| key(edge.from, edge.to) == *own);
-            let until = self.order.get(k + 1).and_then(cue).or(self.whole);
-            if let (Some(edge), Some(since), Some(until)) = (edge, cue(own), until) {
+        let all =
+            self.told.iter().enumerate().filter(|(place, told)| self.first_told(told.0) == Some(*place));
+        let mut all = all.map(|(_, told)| told).take(MOST_IN_TURN).peekable();
+        while let Some(&(own, since)) = all.next() {
+            let edge = edges.iter().find(|edge| key(edge.from, edge.to) == own);
+            let until = all.peek().map(|told| told.1).or(self.whole);
+            if let (Some(edge), Some(until)) = (edge, until) {
                 let (from, to) = ends(edge);
                 sketch.passing([since, until], |sketch| {
                     sketch.part("new").line(from, to, Pen::highlighted(Role::Now).width(NEW).opacity(SOFT));
@@ -76,7 +77,8 @@ impl EdgeCues {
 
     /// The cue of an edge; that of the whole where no event told it so.
     pub(super) fn of(&self, edge: &Edge) -> Option<Cue> {
-        self.edges.get(&key(edge.from, edge.to)).copied().or(self.whole)
+        let first = self.first_told(key(edge.from, edge.to));
+        first.map(|place| self.told[place].1).or(self.whole)
     }
 }
 
