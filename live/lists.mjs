@@ -6,8 +6,12 @@ import { join } from 'node:path';
 const sources = new URL('../src', import.meta.url).pathname;
 /** The fields that a list shows, and the file whose rows have them without a name. */
 const FIELDS = /\b(?:about|default|needs): "((?:[^"\\]|\\.)*)"/gs;
+/** Rows of values that are told: the name, and what a list says of it. */
+const TOLD = /\btold!\(\s*"[^"]*",\s*"((?:[^"\\]|\\.)*)"/gs;
 const ROWS = join('scene', 'fields.rs');
 const LITERAL = /"((?:[^"\\]|\\.)*)"/gs;
+/** What would help against an error: a page says what is wrong, and its reader has no file to mend. */
+const HELPS = /\blet help = "((?:[^"\\]|\\.)*)"/gs;
 /** Bytes of the shortest that is worth it, and of the shortest in a row, where words of scenes stand too. */
 const LEAST = 12;
 const LEAST_OF_ROWS = 20;
@@ -25,7 +29,7 @@ export function ofLists() {
     let rest = '';
     for (const name of readdirSync(sources, { recursive: true }).filter((name) => name.endsWith('.rs'))) {
         const [text] = readFileSync(join(sources, name), 'utf8').split(TESTS);
-        const code = text.replace(/^\s*\/\/.*$/gm, '').replace(FIELDS, take);
+        const code = text.replace(/^\s*\/\/.*$/gm, '').replace(FIELDS, take).replace(TOLD, take).replace(HELPS, take);
         rest += (name === ROWS ? code.replace(LITERAL, takeLong) : code).replace(/\\\n\s*/g, '');
     }
     return [...found].filter((words) => words.length >= LEAST && !rest.includes(words));

@@ -330,7 +330,8 @@ impl Problems {
                 *key = format!("{name}.{key}");
             }
         }
-        self.found.dedup();
+        // By what they say, which a page has the code for anyway.
+        self.found.dedup_by(|p, q| p.span == q.span && p.fault.to_string() == q.fault.to_string());
     }
 
     /// The problems in the order of the file.

@@ -2,7 +2,7 @@
 
 use crate::drawing::{Item, Shown};
 use crate::figure::cue::Cue;
-use crate::figure::frame::union;
+use crate::figure::frame::{Extent, union};
 
 use super::{Cover, Obstacle, Sketch, Weight};
 
@@ -47,6 +47,18 @@ fn light(obstacle: &mut Obstacle) {
     }
 }
 
+/// What there was before something that passes was drawn.
+struct Before {
+    /// Obstacles, labels that are asked for, things without one, handles.
+    counts: [usize; 4],
+    /// What was reached.
+    extent: Extent,
+    /// Details.
+    details: usize,
+    /// Items of the layer, which stay.
+    stays: usize,
+}
+
 impl Sketch<'_> {
     /// With whether it is of a figure in steps.
     pub(crate) fn in_steps(mut self, is_so: bool) -> Self {
@@ -66,26 +78,37 @@ impl Sketch<'_> {
     /// finished figure has none of it, so nothing of it has a label or a handle; labels keep off it, and a
     /// panel makes room for it, only where it is drawn in steps. It is the last that its layer draws, and
     /// lies under what stays.
-    pub(crate) fn passing(&mut self, [from, to]: [Cue; 2], draw: impl FnOnce(&mut Self)) {
-        let kept = [self.obstacles.len(), self.requests.len(), self.unnamed.len(), self.holds.len()];
+    pub(crate) fn passing(&mut self, cues: [Cue; 2], draw: impl FnOnce(&mut Self)) {
+        let before = self.begin_passing(cues);
+        draw(self);
+        self.end_passing(before);
+    }
+
+    /// What is drawn from here on passes; what there was before.
+    fn begin_passing(&mut self, [from, to]: [Cue; 2]) -> Before {
+        let counts = [self.obstacles.len(), self.requests.len(), self.unnamed.len(), self.holds.len()];
         let (extent, details) = (self.extent.take(), self.details.len());
         let stays = self.layers.last().map_or(0, |layer| layer.items.len());
         self.since(from);
         self.cues.now.until = Some(self.cues.number(to));
-        draw(self);
+        Before { counts, extent, details, stays }
+    }
+
+    /// What is drawn from here on stays.
+    fn end_passing(&mut self, Before { counts, extent, details, stays }: Before) {
         if let Some(layer) = self.layers.last_mut() {
             let mut items = layer.items.split_off(stays);
             items.append(&mut layer.items);
             layer.items = items;
         }
         if self.cues.keeps {
-            self.obstacles.iter_mut().skip(kept[0]).for_each(light);
+            self.obstacles.iter_mut().skip(counts[0]).for_each(light);
         } else {
-            self.obstacles.truncate(kept[0]);
+            self.obstacles.truncate(counts[0]);
         }
-        self.requests.truncate(kept[1]);
-        self.unnamed.truncate(kept[2]);
-        self.holds.truncate(kept[3]);
+        self.requests.truncate(counts[1]);
+        self.unnamed.truncate(counts[2]);
+        self.holds.truncate(counts[3]);
         self.passed = union(self.passed, std::mem::replace(&mut self.extent, extent));
         self.details.truncate(details);
         self.since(None);
