@@ -156,13 +156,13 @@ pub fn draw_after(plan: &Plan, theme: &Theme, id: &str, before: Option<&Figure>)
     let is_pinned =
         |key: &str| overridden(plan.scene, key, is_key).is_some_and(|(_, label)| label.at.is_some());
     let number = |i: usize| Some(i + 1).filter(|_| figure.panels.len() > 1);
-    let of_panels = figure.panels.iter().enumerate().map(|(i, panel)| (number(i), panel));
-    let all = of_panels.chain(figure.insets.iter().map(|inset| (None, inset)));
-    let told = all.flat_map(|(panel, labelled)| {
+    let of_panels = figure.panels.iter().enumerate().map(|(i, panel)| (number(i), false, panel));
+    let all = of_panels.chain(figure.insets.iter().map(|inset| (None, true, inset)));
+    let told = all.flat_map(|(panel, in_inset, labelled)| {
         faults(labelled).into_iter().map(move |fault| {
             let (key, span) = fault.label();
             let (is_pinned, span) = (is_pinned(key), span.clone());
-            Problem::new(Fault::LabelClash { fault, panel, has_view, is_pinned }, span)
+            Problem::new(Fault::LabelClash { fault, panel, in_inset, has_view, is_pinned }, span)
         })
     });
     let told: Vec<Problem> = told.collect();

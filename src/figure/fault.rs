@@ -175,6 +175,8 @@ pub enum Fault {
         fault: LabelFault,
         /// Which panel it is in, from 1, where there are several and it is in no inset.
         panel: Option<usize>,
+        /// Whether it is in an inset.
+        in_inset: bool,
         /// Whether the scene has a panel of its own, which may have a `view`.
         has_view: bool,
         /// Whether the scene says where the label stands.

@@ -49,6 +49,7 @@ impl Fault {
             Self::TextDropped { what, lines, room } => {
                 write!(f, "the {what} takes {lines} lines and the page has room for {room}: it is left out")
             }
+            Self::LabelClash { fault, in_inset: true, .. } => write!(f, "{fault} (in an inset)"),
             Self::LabelClash { fault, panel: Some(panel), .. } => write!(f, "{fault} (panel {panel})"),
             Self::LabelClash { fault, .. } => write!(f, "{fault}"),
             // Of these no picture is drawn.
@@ -88,9 +89,12 @@ impl Fault {
             Self::SharedChart { layer } => {
                 Some(format!("give it a panel of its own: `[[panels]]` with `layers = [\"{layer}\"]`"))
             }
-            Self::LabelClash { fault, has_view, is_pinned, .. } => {
+            Self::LabelClash { fault, in_inset, has_view, is_pinned, .. } => {
                 let key = fault.label().0;
-                let room = if *has_view {
+                // Where it is pinned it is so in the panel, too.
+                let room = if *in_inset {
+                    return Some("give the figure a larger `width` in `[canvas]`".to_owned());
+                } else if *has_view {
                     "give the panel a wider `view`"
                 } else {
                     "give the figure a larger `width` in `[canvas]`"

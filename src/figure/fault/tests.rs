@@ -76,6 +76,18 @@ fn without_room() -> Vec<(Fault, &'static str, &'static str)> {
             Fault::LabelClash {
                 fault: LabelFault::Dropped { key: "d", span: 0..1 },
                 panel: None,
+                in_inset: true,
+                has_view: true,
+                is_pinned: false,
+            },
+            "the label `d` found no place and is left out (in an inset)",
+            "give the figure a larger `width` in `[canvas]`",
+        ),
+        (
+            Fault::LabelClash {
+                fault: LabelFault::Dropped { key: "d", span: 0..1 },
+                panel: None,
+                in_inset: false,
                 has_view: true,
                 is_pinned: false,
             },
@@ -86,6 +98,7 @@ fn without_room() -> Vec<(Fault, &'static str, &'static str)> {
             Fault::LabelClash {
                 fault: LabelFault::Dropped { key: "d", span: 0..1 },
                 panel: Some(2),
+                in_inset: false,
                 has_view: true,
                 is_pinned: true,
             },
@@ -96,6 +109,7 @@ fn without_room() -> Vec<(Fault, &'static str, &'static str)> {
             Fault::LabelClash {
                 fault: LabelFault::Dropped { key: "d", span: 0..1 },
                 panel: None,
+                in_inset: false,
                 has_view: false,
                 is_pinned: false,
             },

@@ -92,7 +92,8 @@ fn kept_in(place: &Candidate, panel: &Rect, w: &Places) -> Option<Candidate> {
     if panel.union(place.rect) == *panel {
         return None;
     }
-    let by = way_into(&place.rect, panel);
+    // A little farther than just within: what touches the edge looks cut off.
+    let by = way_into(&place.rect, &panel.grown(-w.from_edge));
     let Rect { x0, y0, x1, y1 } = place.rect;
     let rect = Rect::new(Point::new(x0, y0) + by, Point::new(x1, y1) + by);
     Some(Candidate { rect, reluctance: place.reluctance + w.kept_in * by.length(), ..*place })

@@ -21,6 +21,11 @@ pub(super) fn count(context: &Context) -> Option<Quantity> {
     Some(Quantity::exactly(f64::from(count)))
 }
 
+/// The bounds of the depth at a contact by its place along the reference edge, from 0.
+pub(super) fn depth(context: &Context, place: usize) -> Option<Quantity> {
+    Some(Quantity::within(points(context)?.get(place)?.bounds).negated())
+}
+
 /// The bounds of the depth at the shallower of two points.
 pub(super) fn shallower(context: &Context) -> Option<Quantity> {
     let [p, q] = points(context)?[..] else { return None };
@@ -48,7 +53,7 @@ mod tests {
     use crate::scene::open_text;
 
     /// The values of a contact of a floor, whose top is at 1, with a body.
-    fn values(body: &str) -> [Option<f64>; 6] {
+    fn values(body: &str) -> [Option<f64>; 8] {
         let text = format!(
             "shapes.floor = {{ kind = 'aabb', half_extents = [5, 1] }}
             shapes.B = {{ {body} }}
@@ -57,22 +62,22 @@ mod tests {
         let scene = open_text("s.toml", &text).unwrap().scene;
         let plan = plan(&scene).unwrap();
         let context = plan.panels[0].context(&scene, &plan.runs);
-        ["contacts", "shallow", "contact.a.x", "contact.a.y", "contact.b.x", "contact.b.y"]
+        ["contacts", "d_1", "d_2", "shallow", "contact.a.x", "contact.a.y", "contact.b.x", "contact.b.y"]
             .map(|name| value_of(name, &context).map(|found| 0.5 * (found.lo + found.hi)))
     }
 
     #[test]
     fn the_deepest_point_is_told_where_one_is_deeper_than_the_other() {
         let tilted = "kind = 'polygon', vertices = [[-2, 0.5], [2, 0.75], [2, 3], [-2, 3]]";
-        let expected = [2.0, 0.25, -2.0, 1.0, -2.0, 0.5];
+        let expected = [2.0, 0.25, 0.5, 0.25, -2.0, 1.0, -2.0, 0.5];
         for (found, expected) in values(tilted).into_iter().zip(expected) {
             assert!((found.unwrap() - expected).abs() < 1e-12, "{found:?}, not {expected}");
         }
         let level = values("kind = 'box', half_extents = [2, 1], position = [0, 1.75]");
-        assert_eq!((level[0], level[2]), (Some(2.0), None), "two as deep");
+        assert_eq!((level[0], level[4]), (Some(2.0), None), "two as deep");
         let vertex = values("kind = 'polygon', vertices = [[0, 0.5], [2, 2], [-2, 2]]");
-        assert_eq!((vertex[0], vertex[1]), (Some(1.0), None));
-        assert_eq!(values("kind = 'circle', radius = 1, position = [0, 9]"), [None; 6]);
+        assert_eq!((vertex[0], vertex[1], vertex[2], vertex[3]), (Some(1.0), Some(0.5), None, None));
+        assert_eq!(values("kind = 'circle', radius = 1, position = [0, 9]"), [None; 8]);
     }
 
     #[test]

@@ -21,6 +21,8 @@ static OF_THE_OUTCOME: &[(&str, Asks)] = &[
     ("hit.n.y", |context| context.asks_for_a_hit()),
     ("bound", |context| context.asks_for_a_hit()),
     ("contacts", asks_for_contact),
+    ("d_1", asks_for_contact),
+    ("d_2", asks_for_contact),
     ("shallow", asks_for_contact),
     ("contact.a.x", asks_for_contact),
     ("contact.a.y", asks_for_contact),

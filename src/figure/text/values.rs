@@ -178,6 +178,12 @@ pub(crate) static VALUES: &[Value] = &[
     Value { name: "halves.a.y", about: "the first AABB's half-extent in y", of: |c| half(c, |[a, _]| a.y) },
     Value { name: "halves.b.y", about: "the second AABB's half-extent in y", of: |c| half(c, |[_, b]| b.y) },
     Value { name: "contacts", about: "how many points the contact has", of: contacts::count },
+    Value {
+        name: "d_1",
+        about: "depth at the first contact along the reference edge: the d_1 of labels",
+        of: |c| contacts::depth(c, 0),
+    },
+    Value { name: "d_2", about: "depth at the second contact", of: |c| contacts::depth(c, 1) },
     Value { name: "shallow", about: "depth at the shallower of two contacts", of: contacts::shallower },
     Value {
         name: "contact.a.x",

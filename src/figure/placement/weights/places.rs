@@ -40,6 +40,8 @@ super::numbers! {
         /// a name leaves the middle under its marker.
         /// Twice: 9 + 14 labels; half: 0 + 18 labels.
         kept_in: f64 = 0.2;
+        /// How far within the panel's edge such a place is moved, page pixels.
+        from_edge: f64 = 3.0;
         /// Reluctance of a name to be broken into lines, for each line.
         /// Twice: 2 + 23 labels; half: 3 + 28 labels.
         folded: f64 = 1.0;
