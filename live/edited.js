@@ -113,7 +113,7 @@ class Edited {
         return [whole, this.said()].filter(Boolean).join(" ");
     }
 
-    // The title of a page that says the result, and the long text below it, are those of the picture as it is.
+    // The title of a page that says the result, and the long text below it: those of the picture as it is.
     entitle() {
         const of = (name) => this.picture.svg.querySelector(name)?.textContent;
         const long = this.root.querySelector("details.words p");

@@ -29,7 +29,8 @@ export function ofLists() {
     let rest = '';
     for (const name of readdirSync(sources, { recursive: true }).filter((name) => name.endsWith('.rs'))) {
         const [text] = readFileSync(join(sources, name), 'utf8').split(TESTS);
-        const code = text.replace(/^\s*\/\/.*$/gm, '').replace(FIELDS, take).replace(TOLD, take).replace(HELPS, take);
+        const bare = text.replace(/^\s*\/\/.*$/gm, '');
+        const code = [FIELDS, TOLD, HELPS].reduce((code, words) => code.replace(words, take), bare);
         rest += (name === ROWS ? code.replace(LITERAL, takeLong) : code).replace(/\\\n\s*/g, '');
     }
     return [...found].filter((words) => words.length >= LEAST && !rest.includes(words));

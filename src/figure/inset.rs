@@ -13,7 +13,6 @@ use crate::scene::{Detail, Panel};
 use super::frame::Frame;
 use super::placement::Labelled;
 use super::sketch::{Anchor, Cover, Label, Obstacle, Rank, Request, Sketch, Sketched, Weight};
-use super::text::Decimal;
 use super::theme::Theme;
 
 /// The most that an inset takes of its panel's width and height: three quarters of it stay in view.
@@ -104,10 +103,10 @@ impl Inset {
         Some(Self { frame, detail, factor, shown: Shown::ALWAYS })
     }
 
-    /// Writes in the inset how many times it enlarges, as the language of the scene has numbers.
-    pub(crate) fn write_factor(&self, sketch: &mut Sketch, decimal: Decimal) {
+    /// Writes in the inset how many times it enlarges, as the language of the scene has numbers in formulas.
+    pub(crate) fn write_factor(&self, sketch: &mut Sketch, in_latex: impl FnOnce(String) -> String) {
         let rect = self.frame.panel;
-        let factor = decimal.in_latex(self.factor.to_string());
+        let factor = in_latex(self.factor.to_string());
         let Some(words) = sketch.set(&format!(r"$\times\,{factor}$")) else { return };
         let [left, right] = [rect.x0 + MARGIN, rect.x1 - words.width - MARGIN];
         let [high, low] = [rect.y0 + words.ascent + MARGIN, rect.y1 - words.descent - MARGIN];

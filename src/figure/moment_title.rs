@@ -7,8 +7,8 @@ use super::context::Moment;
 use super::language::Language;
 use super::text::number;
 
-/// The title of a panel by its moment, as markup; `None` where the panels of the scene have words of their own
-/// or this one alone shows its space.
+/// The title of a panel by its moment, as markup; `None` where the panels of the scene have words of their
+/// own or this one alone shows its space.
 pub(super) fn moment_title(scene: &Scene, panel: &Panel, moment: Moment) -> Option<String> {
     if scene.panels.iter().any(|panel| panel.title.is_some() || panel.caption.is_some()) {
         return None;

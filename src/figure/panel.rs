@@ -122,7 +122,7 @@ impl PanelPlan<'_> {
         let bare = begun(inset.frame, context, theme).without_numbers();
         let is_small = self.source.inset.as_ref().is_some_and(|inset| inset.value == Detail::Small);
         let mut sketch = self.drawn(if is_small { bare.without_axes() } else { bare }, context);
-        inset.write_factor(&mut sketch, Decimal::of(context.scene));
+        inset.write_factor(&mut sketch, |number| Decimal::of(context.scene).in_latex(number));
         let mut sketched = sketch.finish();
         inset.without_the_panels(&self.source, own, &mut sketched);
         inset.keep_off_the_frame(&mut sketched);

@@ -37,8 +37,8 @@ pub(super) fn let_words_come(items: &mut [Item], scopes: &[Scope], plan: &Plan, 
             _ => None,
         };
         let caption = plan.scene.panels.get(i).and_then(|panel| panel.caption.as_ref());
-        // Where it tells no number it leads through the panel.
-        let leads = caption.is_some_and(|caption| !caption.value.contains(VALUE));
+        // Where it tells no number it leads through what becomes of the bodies.
+        let leads = scope.shows_bodies && caption.is_some_and(|caption| !caption.value.contains(VALUE));
         let caption = if leads { first.or(Some(last)) } else { Some(last) };
         let when = |item: &Item| if is(item, CAPTION) { caption } else { title };
         for item in own.iter_mut().filter(|item| is_words(item)) {

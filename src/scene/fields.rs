@@ -223,7 +223,7 @@ pub(super) static LABEL: TableRows = TableRows {
         may(
             "at",
             Holds::LabelPlace,
-            "pins it: \"NE\", unless that leads over the panel's edge, or an offset [dx, dy] in pixels, y down",
+            "pins it: \"NE\", unless over the panel's edge, or an offset [dx, dy] in pixels, y down",
         ),
         may("hide", Holds::Switch, "true: it is not drawn"),
     ],

@@ -332,6 +332,7 @@ pub(crate) const ROOMS: &[Row] = &[
             "figure/play",
             "figure/runs",
             "figure/sketch",
+            "figure/text",
             "figure/theme",
         ],
     ),

@@ -97,7 +97,7 @@ fn fits(pattern: &str, text: &str) -> bool {
     if pattern.starts_with("^(?:[^$") {
         return is_markup(pattern, text);
     }
-    if pattern.starts_with("^[A-Za-z]{2,8}") {
+    if pattern.starts_with("^[A-Za-z]{2,3}(-") {
         return is_tag(text);
     }
     if let Some(grips) = pattern.strip_prefix(r"^[^.]*$|\.(").and_then(|rest| rest.split_once(')')) {
@@ -120,7 +120,7 @@ fn is_format(text: &str) -> bool {
 /// Whether a text is the tag of a language, as the pattern of the schema has it.
 fn is_tag(text: &str) -> bool {
     let mut parts = text.split('-');
-    parts.next().is_some_and(|p| (2..=8).contains(&p.len()) && p.bytes().all(|b| b.is_ascii_alphabetic()))
+    parts.next().is_some_and(|p| (2..=3).contains(&p.len()) && p.bytes().all(|b| b.is_ascii_alphabetic()))
         && parts.all(|p| (1..=8).contains(&p.len()) && p.bytes().all(|b| b.is_ascii_alphanumeric()))
 }
 

@@ -114,10 +114,6 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         Label::new("b", letter_of_b(context).unwrap_or_else(name), Anchor::point(b), Role::B)
             .rank(Rank::Point),
     );
-    cues.told_in_turn(sketch, &found.edges, |edge| {
-        let (from, to) = found.drawn(edge);
-        (turned(from), turned(to))
-    });
 }
 
 /// Names the grown A, if the scene does, where its outline is farthest from B's point `b`: there is room.

@@ -316,10 +316,11 @@ mod tests {
     fn where_a_step_comes_as_near_as_a_marker_the_hit_is_not_named_beside_it() {
         let named = |step: usize| {
             let text = format!(
-                "shapes.A = {{ kind = 'box', half_extents = [1, 1], position = [-27, -15], velocity = [27, 15],
-                    radius = 0.3 }}
+                "shapes.A = {{ kind = 'box', half_extents = [1, 1], radius = 0.3, position = [-27, -15],
+                    velocity = [27, 15] }}
                 shapes.B = {{ kind = 'box', half_extents = [1, 1], angle_deg = 10, radius = 0.4 }}
-                query = {{ kind = 'linear-sweep', of = ['A', 'B'], algorithm = 'ray-clipping', tolerance = 1e-9 }}
+                query = {{ kind = 'linear-sweep', of = ['A', 'B'], algorithm = 'ray-clipping',
+                    tolerance = 1e-9 }}
                 canvas.width = 240
                 panels = [{{ space = 'configuration', step = {step}, layers = ['ray', 'advancement'] }}]"
             );

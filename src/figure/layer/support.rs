@@ -369,11 +369,9 @@ mod tests {
         let scene = open_text("support", text).unwrap().scene;
         let plan = plan(&scene).unwrap();
         let figure = draw(&plan, plan.theme, "support");
-        // B, from 1 to 5, goes up to A's top edge, which ends at 4.
-        let frame = &figure.panels[0].frame;
-        let discs = paths(&figure.drawing.items, "contact");
-        assert_eq!(discs.len(), 2);
-        for (disc, x) in discs.into_iter().zip([4.0, 1.0]) {
+        let frame = &figure.panels[0].frame; // B, from 1 to 5, goes up to A's top edge, which ends at 4.
+        let [one, two] = paths(&figure.drawing.items, "contact")[..] else { panic!("two discs") };
+        for (disc, x) in [(one, 4.0), (two, 1.0)] {
             let Contour::Circle { center, .. } = &disc.contour else { panic!("a disc") };
             assert!((*center - frame.page(DVec2::new(x, 2.0))).length() < 1e-6, "{center:?} is not at {x}");
         }

@@ -59,9 +59,9 @@ pub(super) fn place_by(weights: &Weights, sought: &[Sought], ground: &Ground) ->
     marked(if faults(&kept).len() <= wrong.len() { kept } else { best }, &|_| 1)
 }
 
-/// Places the labels of a panel that nothing was drawn before: where the scene pins them, but where a direction
-/// leads over the panel's edge and another one does not, since nobody reads what is cut off. An offset in
-/// pixels is somebody's will.
+/// Places the labels of a panel that nothing was drawn before: where the scene pins them, but where a
+/// direction leads over the panel's edge and another one does not, since nobody reads what is cut off. An
+/// offset in pixels is somebody's will.
 fn still(weights: &Weights, sought: &[Sought], ground: &Ground) -> Labelled {
     let search = |sought: &[Sought]| searched(weights, sought, ground, &|_| Old::Comfortable);
     let pinned = search(sought);

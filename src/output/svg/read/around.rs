@@ -40,7 +40,8 @@ pub(super) fn is_ours(root: Node) -> bool {
         && inner().all(is_plain)
 }
 
-/// Whether an element beside those that are drawn has nothing in it but what we write; of another one, always.
+/// Whether an element beside those that are drawn has nothing in it but what we write; of another one,
+/// always.
 fn is_plain(node: Node) -> bool {
     let name = node.tag_name().name();
     let Some((_, known)) = BESIDE.iter().find(|(beside, _)| *beside == name) else { return true };
