@@ -107,6 +107,8 @@ async function voice(browser, file, fail, about) {
     await pull(page, await page.$(".knob[role=slider]:not(.gone)"), [30, -20]);
     const during = await page.evaluate(() => globalThis.said.length);
     if (during > 0) fail(about, `speaks ${during} times while a handle is held`);
+    const [seen, now] = await page.evaluate(() => [document.querySelector(".seen").textContent, globalThis.sentence]);
+    if (!seen.includes(now)) fail(about, `shows "${seen}" while a handle is held, expected "${now}"`);
     await page.mouse.up();
     await page.waitForTimeout(2 * SAID);
     const { said, sentence } = await page.evaluate(() => ({ said: globalThis.said, sentence: globalThis.sentence }));

@@ -99,6 +99,14 @@ async function judge(page, about) {
     const copied = await page.inputValue("textarea.text");
     const { answer, sentence } = await page.evaluate(() => globalThis.drawn);
     if (!said.includes(sentence)) fail(about, `says "${said}", expected "${sentence}"`);
+    const [seen, ...words] = await page.evaluate(() => {
+        const text = (part) => document.querySelector(part)?.textContent;
+        const [title, desc] = ["title", "desc"].map((name) => text(`figure > svg > ${name}`));
+        return [text(".seen"), text("details.words p"), desc, document.title, title];
+    });
+    if (!seen.includes(sentence)) fail(about, `shows "${seen}", expected "${sentence}"`);
+    if (words[0] !== words[1]) fail(about, `describes "${words[0]}", expected "${words[1]}"`);
+    if (words[2] !== words[3]) fail(about, `is called "${words[2]}", expected "${words[3]}"`);
     const { result } = JSON.parse(run(["solve", "-", "--json"], copied));
     if (JSON.stringify(answer) !== JSON.stringify(result)) {
         fail(about, `answers ${JSON.stringify(answer)}, expected ${JSON.stringify(result)} of\n${copied}`);
@@ -159,6 +167,8 @@ async function figure(stem) {
     const committed = readFileSync(join(folderOf(stem) === figures ? figures : work, `${stem}.svg`), "utf8").trimEnd();
     if (!html.includes(`<figure>${committed}</figure>`)) fail(stem, "does not hold the committed picture");
     const { page, ready, drawn } = await opened(file, stem);
+    const described = () => page.innerHTML("details.words p");
+    const description = await described();
     if ((await page.locator(".knobs").count()) === 0) {
         await page.close();
         return { ms: [], cpu: [] };
@@ -228,6 +238,8 @@ async function figure(stem) {
     const lost = await page.evaluate(wordsNotFound);
     for (const line of lost) fail(stem, `a search does not find "${line}"`);
     if (!(await picture(page))) fail(stem, "after a reset the picture is another one");
+    await page.waitForTimeout(SAID);
+    if ((await described()) !== description) fail(stem, "after a reset the description is another one");
     await page.close();
     const shares = [ms, drawing(cpu)].flatMap((values) => [quantile(values, 0.5), quantile(values, 0.95)]);
     const numbers = [ready, drawn, ...shares].map((x) => x.toFixed(1).padStart(7));

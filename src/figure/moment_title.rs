@@ -1,15 +1,25 @@
 //! The titles of panels that show one space at several moments, where a scene gives its panels no words:
 //! without them nobody sees which is before which.
 
-use crate::scene::{Panel, Scene};
+use std::borrow::Cow;
+
+use crate::scene::{Panel, Scene, Spanned};
 
 use super::context::Moment;
 use super::language::Language;
 use super::text::number;
 
+/// Gives a panel the title of its moment, where it is to have one.
+pub(super) fn title_by_moment(scene: &Scene, panel: &mut Cow<'_, Panel>, moment: Moment) {
+    if let Some(value) = moment_title(scene, panel, moment) {
+        let span = panel.span.clone();
+        panel.to_mut().title = Some(Spanned { value, span });
+    }
+}
+
 /// The title of a panel by its moment, as markup; `None` where the panels of the scene have words of their
 /// own or this one alone shows its space.
-pub(super) fn moment_title(scene: &Scene, panel: &Panel, moment: Moment) -> Option<String> {
+fn moment_title(scene: &Scene, panel: &Panel, moment: Moment) -> Option<String> {
     if scene.panels.iter().any(|panel| panel.title.is_some() || panel.caption.is_some()) {
         return None;
     }

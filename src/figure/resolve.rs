@@ -16,7 +16,7 @@ use super::default_picture::Sheet;
 use super::fault::{Fault, Problem};
 use super::frame::Frame;
 use super::layer::{self, Fed, Layer, Options, Shows};
-use super::moment_title::moment_title;
+use super::moment_title::title_by_moment;
 use super::page::{Layout, Measures, Words};
 use super::panel::{LayerPlan, PanelPlan};
 use super::play::Play;
@@ -80,10 +80,7 @@ impl<'r, 's> Resolver<'r, 's> {
         }
         let moment = self.moment(&source)?;
         let (scene, runs) = (self.scene, self.runs);
-        if let Some(value) = moment_title(scene, &source, moment) {
-            let span = source.span.clone();
-            source.to_mut().title = Some(Spanned { value, span });
-        }
+        title_by_moment(scene, &mut source, moment);
         let space = source.space.clone();
         let context =
             Context { scene, space: &space, time: moment.time, step: moment.step, play: Play::No, runs };
