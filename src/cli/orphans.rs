@@ -6,6 +6,7 @@
 //! wrong with it, and not where a scene of its name lies as a figure of another run's folder would have it.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
 
 use tracefig::drift::{Stamp, is_triptych};
@@ -62,7 +63,7 @@ pub(crate) fn unclaimed(plan: &Plan) -> Unclaimed {
         folders_of_figures(plan).iter().flat_map(|folder| files_of_ours(folder)).collect();
     figures.sort();
     let mut found = Unclaimed::default();
-    let mut places = None;
+    let (mut places, mut called) = (None, None);
     for path in figures {
         let (scene, parts) = scene_of(&path, &scenes);
         let unasked = match scene {
@@ -72,7 +73,8 @@ pub(crate) fn unclaimed(plan: &Plan) -> Unclaimed {
                 None => continue,
             },
         };
-        let is_elsewhere = unasked.is_none() && scenes.keys().any(|scene| gathers(&path, scene));
+        let called = called.get_or_insert_with(|| by_name(&scenes));
+        let is_elsewhere = unasked.is_none() && is_gathered(&path, called);
         if is_elsewhere || places.get_or_insert_with(|| real_places(&plan.jobs)).contains(&real(&path)) {
             continue;
         }
@@ -111,6 +113,22 @@ fn scene_of<'j>(path: &Path, scenes: &BTreeMap<PathBuf, &'j Job>) -> (Option<&'j
     }
 }
 
+/// The scenes by what their files are called.
+fn by_name<'s>(scenes: &'s BTreeMap<PathBuf, &Job>) -> BTreeMap<OsString, Vec<&'s Path>> {
+    let mut all: BTreeMap<OsString, Vec<&Path>> = BTreeMap::new();
+    for scene in scenes.keys() {
+        all.entry(scene.file_name().unwrap_or_default().to_owned()).or_default().push(scene);
+    }
+    all
+}
+
+/// Whether a scene of a figure's name lies where a folder that gathers figures would have that.
+fn is_gathered(figure: &Path, called: &BTreeMap<OsString, Vec<&Path>>) -> bool {
+    let name = figure.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let stems = name.match_indices('.').filter_map(|(end, _)| called.get(OsStr::new(&name[..end])));
+    stems.flatten().any(|scene| gathers(figure, scene))
+}
+
 /// Whether a figure lies as in a folder that gathers the figures of a tree: below the scene's folder, or
 /// below one that both are in, with the way from there to the scene at its end. `docs/img/a/x.svg` is that of
 /// `docs/a/x`, and `a/x.svg` not that of `b/x`.
@@ -119,10 +137,7 @@ fn gathers(figure: &Path, scene: &Path) -> bool {
     let (figure, scene): (PathBuf, PathBuf) =
         (figure.components().skip(both).collect(), scene.components().skip(both).collect());
     let (Some(folder), Some(beside)) = (figure.parent(), scene.parent()) else { return false };
-    let name = |path: &Path| path.file_name().map(|name| name.to_string_lossy().into_owned());
-    let (Some(name), Some(stem)) = (name(&figure), name(&scene)) else { return false };
-    let is_of_it = name.strip_prefix(&stem).is_some_and(|rest| rest.starts_with('.'));
-    is_of_it && folder != beside && folder.ends_with(beside)
+    folder != beside && folder.ends_with(beside)
 }
 
 /// Why the project of a scene does not ask for a figure of it, in words.
@@ -216,10 +231,14 @@ mod tests {
             ("img/a/x.svg", "a/x", true),
             ("a/x.svg", "b/x", false),
             ("docs/x.svg", "docs/x", false),
-            ("docs/img/xy.svg", "docs/x", false),
             ("x.svg", "a/x", false),
         ] {
             assert_eq!(gathers(Path::new(figure), Path::new(scene)), gathered, "{figure} of {scene}");
         }
+        let called = BTreeMap::from([("x".into(), vec![Path::new("docs/x")])]);
+        let gathered = |figure: &str| is_gathered(Path::new(figure), &called);
+        assert!(
+            gathered("docs/img/x.svg") && gathered("docs/img/x.dark.svg") && !gathered("docs/img/xy.svg")
+        );
     }
 }
