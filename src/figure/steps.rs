@@ -254,6 +254,18 @@ mod tests {
             let found = titles("merge", &found);
             assert_eq!((&found[1..4], found.len()), (&taken.map(str::to_owned)[..], 5), "{found:?}");
         }
+        // What is given is not shown edge by edge.
+        let text = "shapes.A = { kind = 'box', half_extents = [1, 1] }
+            shapes.B = { kind = 'box', half_extents = [1, 1], position = [4, 1], angle_deg = 20 }
+            panels = [{ layers = ['shapes'] }, { space = 'configuration', layers = ['difference'] }]";
+        let passes = |algorithm: &str| {
+            let query =
+                format!("query = {{ kind = 'separation', of = ['A', 'B'], algorithm = '{algorithm}' }}");
+            let scene = open_text("s", &format!("{text}\n{query}")).unwrap().scene;
+            let plan = plan(&scene).unwrap();
+            draw_in_steps(&plan, plan.theme, "f").drawing.takes_away()
+        };
+        assert_eq!(["minkowski", "gjk"].map(passes), [true, false]);
         // Without the bodies there would be nothing to begin with.
         assert_eq!(titles("gjk", "{ space = 'configuration', layers = ['difference'] }"), ["The question"]);
     }

@@ -2,7 +2,7 @@
 
 use crate::drawing::Role;
 use crate::figure::context::Context;
-use crate::figure::cue::Cue;
+use crate::figure::cue::{Cue, Teller};
 use crate::figure::difference::Edge;
 use crate::figure::sketch::{Pen, Sketch};
 use crate::geometry::{DVec2, sorted};
@@ -62,7 +62,9 @@ impl EdgeCues {
     ) {
         let all =
             self.told.iter().enumerate().filter(|(place, told)| self.first_told(told.0) == Some(*place));
-        let mut all = all.map(|(_, told)| told).take(MOST_IN_TURN).peekable();
+        // What another algorithm knows is given as a whole.
+        let all = all.map(|(_, told)| told).filter(|(_, cue)| cue.teller == Teller::Own);
+        let mut all = all.take(MOST_IN_TURN).peekable();
         while let Some(&(own, since)) = all.next() {
             let edge = edges.iter().find(|edge| key(edge.from, edge.to) == own);
             let until = all.peek().map(|told| told.1).or(self.whole);
