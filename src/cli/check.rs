@@ -120,7 +120,6 @@ impl Runs for Check {
         if self.accept {
             folders_of(&plan.jobs).into_iter().for_each(clear_leftovers);
         }
-        let unread = of_folders(&plan);
         let mut all = match self.sheets.encoded(&self.files, (&plan.jobs, &Told::new()), console)? {
             Ok(None) => self.check_all(&plan, &pictures, console)?,
             Err(Status::Usage) => return Ok(Status::Usage),
@@ -130,6 +129,7 @@ impl Runs for Check {
             }
         };
         if self.handout.is_some() {
+            let unread = of_folders(&plan);
             self.tell(&unread, console)?;
             all.add(unread);
         }
