@@ -161,6 +161,22 @@ async function wander(page, stem) {
     if ((await shown(page)) !== moved) fail(stem, "one step back the picture is another one");
 }
 
+// Goes a step back and to the address that the page has then: another page shows the same there.
+async function atStep(page, stem) {
+    const before = page.locator(".steps button").first();
+    if ((await before.count()) === 0) return;
+    await before.click();
+    await page.waitForTimeout(SAID);
+    const { hash } = new URL(page.url());
+    if (!/[#&]step=\d+$/.test(hash)) fail(stem, `a step back the address ends in "${hash}"`);
+    const { page: again } = await opened(join(site, `${stem}.html`), stem, {}, hash);
+    await again.waitForTimeout(SAID);
+    if ((await shown(again)) !== (await shown(page))) fail(stem, `shows something else at the step of ${hash}`);
+    const [here, there] = await Promise.all([page, again].map((one) => one.textContent(".seen")));
+    if (here !== there) fail(stem, `says "${there}" at ${hash}, expected "${here}"`);
+    await again.close();
+}
+
 async function figure(stem) {
     const file = join(site, `${stem}.html`);
     const html = readFileSync(file, "utf8");
@@ -200,6 +216,7 @@ async function figure(stem) {
         if ((await shown(again)) !== (await shown(page))) fail(stem, `shows something else at ${page.url()}`);
         await again.close();
         await wander(page, stem);
+        await atStep(page, stem);
     }
     const time = page.locator(".numbers input").last();
     if ((await page.locator(".time").count()) > 0) {

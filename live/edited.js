@@ -1,5 +1,7 @@
 // A scene with what a reader has changed in it: remembered, taken back, copied, kept in the page's address.
 
+const STEP = "step"; // What an address calls the step that is shown; paths of a scene begin otherwise.
+
 class Edited {
     constructor(scene) {
         this.scene = scene;
@@ -113,6 +115,18 @@ class Edited {
         return [whole, this.said()].filter(Boolean).join(" ");
     }
 
+    // What a reader drags, in the words of a hint: a body alone is its place.
+    thing({ name, grip, paths: [[, body]] }) {
+        return { position: body, vertices: this.word("vertices", body) }[grip] ?? this.word("the", name);
+    }
+
+    // Says what can be dragged in the picture as it is.
+    invite() {
+        const things = [...new Set(this.info.handles.filter(({ at }) => at).map(this.thing, this))];
+        this.hint.textContent = this.word("drag", things.join(", "));
+        this.hint.hidden = things.length === 0;
+    }
+
     // The title of a page that says the result, and the long text below it: those of the picture as it is.
     entitle() {
         const of = (name) => this.picture.svg.querySelector(name)?.textContent;
@@ -126,7 +140,9 @@ class Edited {
     toAddress() {
         if (!this.alone) return;
         const part = ({ paths: [path], value }) => `${addressOf(path)}=${[value].flat().join(",")}`;
-        history.replaceState(null, "", `#${[...this.edits.values()].map(part).join("&")}`);
+        const parts = [...this.edits.values()].map(part);
+        if (this.step !== WHOLE) parts.push(`${STEP}=${this.step}`);
+        history.replaceState(null, "", `#${parts.join("&")}`);
     }
 
     // Takes over what the address says of things that can be moved here.
@@ -146,6 +162,12 @@ class Edited {
     takeAddress() {
         const parts = this.alone ? location.hash.slice(1).split("&").filter(Boolean) : [];
         const said = new Map(parts.map((part) => part.split("=")));
+        const step = Math.trunc(said.get(STEP));
+        const isShown = this.count && step > 0 && step < this.info.steps.length;
+        if (isShown || this.step !== WHOLE) {
+            [this.step, this.stepping] = [isShown ? step : WHOLE, Boolean(isShown)];
+            this.engine.x.tf_step(this.step);
+        }
         const isKnown = this.info.handles.some(({ grip }) => grip === "time");
         const clock = isKnown || !this.clock ? [] : [this.clock];
         for (const handle of [...this.info.handles, ...clock]) {

@@ -50,11 +50,6 @@ class Figure extends Edited {
         this.step = WHOLE;
     }
 
-    // What a reader drags, in the words of a hint: a body alone is its place.
-    thing({ name, grip, paths: [[, body]] }) {
-        return { position: body, vertices: this.word("vertices", body) }[grip] ?? this.word("the", name);
-    }
-
     // Draws for the first time, which must give the picture of the page.
     async begin(request) {
         const engine = await Engine.start(request);
@@ -110,10 +105,10 @@ class Figure extends Edited {
             this.after = button(sign("▶"), go(on), { "aria-label": this.word("after") });
             this.bar.append(make("span", { class: "steps" }, this.before, this.count, this.after));
         }
-        const things = [...new Set(this.info.handles.filter(({ at }) => at).map(this.thing, this))];
-        const hint = make("p", { class: "hint" }, this.word("drag", things.join(", ")));
-        if (things.length > 0) this.bar.before(hint);
-        this.around.push(hint);
+        this.hint = make("p", { class: "hint" });
+        this.bar.before(this.hint);
+        this.around.push(this.hint);
+        this.invite();
         const parts = [this.scene, ...(this.scene.panels ?? [])];
         if (parts.some(({ headline, caption }) => headline ?? caption)) {
             const written = make("p", { class: "hint written" }, this.word("written"));
@@ -379,6 +374,7 @@ class Figure extends Edited {
         this.say.lang = this.language;
         this.say.textContent = words;
         this.entitle();
+        this.invite();
     }
 
     toStep(step) {
@@ -386,6 +382,7 @@ class Figure extends Edited {
         this.alive(() => {
             this.engine.x.tf_step(step);
             this.draw();
+            this.toAddress();
             this.speak(0);
         });
     }
