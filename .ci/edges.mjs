@@ -152,6 +152,23 @@ async function away(browser, file, fail, about) {
     await page.close();
 }
 
+// An address with vertices that only together make an outline, and a time: all are taken, and the playhead stays the one
+// that there is.
+async function addressed(browser, file, fail, about) {
+    const page = await opened(browser, file, fail, about);
+    const at = (time) => `shapes/Sheet/vertices/1=20,0&shapes/Sheet/vertices/0=5,-1&panels/1/time=${time}`;
+    for (const time of [0.25, 0.5]) {
+        await page.evaluate((hash) => (location.hash = hash), at(time));
+        await page.waitForTimeout(SAID);
+        const [{ values, why }] = await state(page);
+        const asked = `5,-1,20,0,4,4,0,4,${time}`;
+        if (values !== asked || why) fail(about, `has ${values} at an address of ${asked}, and says "${why}"`);
+        const hash = await page.evaluate(() => location.hash.slice(1));
+        if (hash.split("&").sort().join() !== at(time).split("&").sort().join()) fail(about, `goes on to ${hash}`);
+    }
+    await page.close();
+}
+
 // A page as wide as a phone: the columns that a scene asks for are not what it has, and nothing sticks out.
 async function narrow(browser, file, fail, about) {
     const page = await opened(browser, file, fail, about);
@@ -272,5 +289,6 @@ export async function edges({ browser, site, work, fail, stems, columns, alone }
         await finger(browser, shared(stem), fail, `${stem}, by a finger`);
     }
     await sizes(browser, shared("small-and-turned"), fail, "sizes of a small body");
+    await addressed(browser, shared("two-vertices"), fail, "two vertices in an address");
     for (const stem of columns) await narrow(browser, shared(stem), fail, `${stem}, narrow`);
 }

@@ -9,6 +9,17 @@ class Edited {
         this.first = new Map(); // What the scene says there.
     }
 
+    // What the module says of its picture. The playhead stays the one that the page began with: once its time
+    // is set, no panel follows a clock, and the module would offer another.
+    get info() {
+        return this.told;
+    }
+
+    set info(info) {
+        const isOther = (handle) => handle.grip === "time" && keyOf(handle) !== keyOf(this.clock ?? handle);
+        this.told = info && { ...info, handles: info.handles.filter((handle) => !isOther(handle)) };
+    }
+
     // The language of our words: the scene's, or English.
     get language() {
         const [language] = (this.scene.lang ?? "en").toLowerCase().split("-");
@@ -159,6 +170,15 @@ class Edited {
         });
     }
 
+    // Sets several values of a scene without edits together; whether they can be.
+    takeAll(asked) {
+        if (asked.length < 2 || !this.engine.set(asked.flatMap((one) => this.pairs(...one)))) return false;
+        for (const [handle, value] of asked) this.remember(handle, value);
+        if (this.draw()) return true;
+        for (const [handle] of asked) this.remember(handle, this.first.get(keyOf(handle)));
+        return false;
+    }
+
     takeAddress() {
         const parts = this.alone ? location.hash.slice(1).split("&").filter(Boolean) : [];
         const said = new Map(parts.map((part) => part.split("=")));
@@ -170,11 +190,16 @@ class Edited {
         }
         const isKnown = this.info.handles.some(({ grip }) => grip === "time");
         const clock = isKnown || !this.clock ? [] : [this.clock];
+        const asked = [];
         for (const handle of [...this.info.handles, ...clock]) {
             const numbers = said.get(addressOf(handle.paths[0]))?.split(",").map(Number);
             if (numbers?.length !== [handle.value].flat().length || !numbers.every(Number.isFinite)) continue;
+            asked.push([handle, Array.isArray(handle.value) ? numbers : numbers[0]]);
+        }
+        // A vertex alone may not be where it is with another one.
+        if (!this.takeAll(asked)) {
             // What an address says is set or not, as what is typed.
-            this.attempt(handle, Array.isArray(handle.value) ? numbers : numbers[0], 0);
+            for (const [handle, value] of asked) this.attempt(handle, value, 0);
         }
         if (parts.length > 0) this.settleNow();
     }

@@ -164,7 +164,10 @@ class Figure extends Edited {
         } catch (error) {
             if (!(error instanceof WebAssembly.RuntimeError)) throw error;
             this.refuse(this.word("not"));
-            this.engine.open().then(() => this.engine.set(this.all()) && this.draw());
+            this.engine.open().then(() => {
+                this.engine.x.tf_step(this.step);
+                if (this.engine.set(this.all())) this.draw();
+            });
         }
     }
 

@@ -25,6 +25,7 @@ function grainOf({ pull }) {
 // everything.
 function stepOf(handle, snap) {
     if (handle.pull?.turn) return Math.abs(handle.pull.unit) > 2 ? 5 : 0.1;
+    if (handle.grip === "angle") return unitOf(handle) === "°" ? 5 : 0.1;
     if (handle.grip === "time") return 0.01;
     if (snap) return snap;
     if (!handle.pull) return 0.25;

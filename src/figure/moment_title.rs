@@ -3,7 +3,7 @@
 
 use std::borrow::Cow;
 
-use crate::scene::{Panel, Scene, Spanned};
+use crate::scene::{Panel, Scene, Spanned, When};
 
 use super::context::Moment;
 use super::language::Language;
@@ -23,7 +23,13 @@ fn moment_title(scene: &Scene, panel: &Panel, moment: Moment) -> Option<String> 
     if scene.panels.iter().any(|panel| panel.title.is_some() || panel.caption.is_some()) {
         return None;
     }
-    let when = |panel: &Panel| panel.when.as_ref().map(|when| when.value);
+    // "start" and 0 are one moment, and what no panel says.
+    let when = |panel: &Panel| match panel.when.as_ref().map(|when| when.value) {
+        None => When::Time(scene.query.time),
+        Some(When::Start) => When::Time(0.0),
+        Some(When::End) => When::Time(1.0),
+        Some(when) => when,
+    };
     let mut others = scene.panels.iter().filter(|other| other.space == panel.space);
     others.find(|other| when(other) != when(panel))?;
     Some(match moment.step {
@@ -65,6 +71,8 @@ mod tests {
         let elsewhere = "[[panels]]\nspace = 'configuration'\ntime = 0.25\nlayers = ['origin']\n".to_owned();
         assert_eq!(titled(&[at("time = 'start'"), elsewhere].concat()), ["", ""]);
         assert_eq!(titled(&[at("time = 0.25"), at("time = 0.25")].concat()), ["", ""]);
+        assert_eq!(titled(&[at(""), at("time = 'start'"), at("time = 0")].concat()), ["", "", ""]);
+        assert_eq!(titled(&[at("time = 'end'"), at("time = 1")].concat()), ["", ""]);
         assert_eq!(titled(&[at("time = 0.25\ntitle = 'Now'"), at("time = 'hit'")].concat()), ["Now", ""]);
         assert_eq!(titled(&[at("time = 0.25\ncaption = 'Now'"), at("time = 'hit'")].concat()), ["", ""]);
     }

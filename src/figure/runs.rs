@@ -251,16 +251,23 @@ impl Runs {
         Some(self.run(scene, algorithm, &query))
     }
 
-    /// The separation at a moment by an algorithm that tells the edges of B ⊖ A.
+    /// The separation at a moment by an algorithm that tells the edges of B ⊖ A; whether bodies overlap, where
+    /// the scene asks for that and its algorithm looks at all of them.
     pub(crate) fn difference(&self, scene: &Scene, time: f64) -> Option<Arc<Run>> {
         let query = Query { kind: QueryKind::Separation, ..scene.query_at(time) };
         query.b?;
-        let tells = |run: &Run| run.events().any(tells_difference);
-        std::iter::once(scene.query.algorithm)
-            .chain(ALGORITHMS)
-            .filter(|a| a.takes(&query))
-            .map(|a| self.run(scene, a, &query))
-            .find(|run| tells(run))
+        let tells = |run: &Arc<Run>| run.events().any(tells_difference);
+        let stops = |run: &Run| run.events().any(|e| matches!(e, Event::SeparatingAxisFound { .. }));
+        let asks = scene.query.kind == QueryKind::Overlap && !self.is_blind;
+        let own = asks.then(|| self.own(scene, time)).filter(|run| tells(run) && !stops(run));
+        let of_another = || {
+            std::iter::once(scene.query.algorithm)
+                .chain(ALGORITHMS)
+                .filter(|a| a.takes(&query))
+                .map(|a| self.run(scene, a, &query))
+                .find(tells)
+        };
+        own.or_else(of_another)
     }
 
     /// The scene's own question by an algorithm that advances: the scene's own, else the first one that does,

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-use crate::collision::Answer;
+use crate::collision::{Answer, Outcome};
 use crate::drawing::{Group, Item, Path, Step, Text};
 use crate::geometry::sort_by;
 use crate::scene::{NOTES, Scene, StepWords};
@@ -79,9 +79,10 @@ pub(super) fn numbered(
         let goes_on = told.get(i + 1).is_some_and(|next| this.prepares(next));
         is_open = goes_on && !this.ends;
     }
-    if let [_, .., last] = &mut steps[..] {
-        last.sentences
-            .extend(untold((scene, voice), &runs, &cues).filter(|said| !last.sentences.contains(said)));
+    if let ([_, .., last], Some(end)) = (&mut steps[..], untold((scene, voice), &runs, &cues)) {
+        let again = said_again((scene, voice), &runs);
+        last.sentences.retain(|said| *said != end && again.as_ref() != Some(said));
+        last.sentences.push(end);
     }
     let count = steps.len();
     let (steps, counted, unused) = worded(steps, &scene.steps);
@@ -175,6 +176,18 @@ fn untold(of: (&Scene, Voice), runs: &[std::sync::Arc<Run>], cues: &[Cue]) -> Op
     (!is_told).then(|| result(of, runs, own))
 }
 
+/// What the separation of bodies that overlap from the start came to, which their own result says, too.
+fn said_again(of: (&Scene, Voice), runs: &[std::sync::Arc<Run>]) -> Option<String> {
+    let overlaps = |run: &Run| match &run.answer {
+        Answer::Impact(impact) => matches!(impact.outcome, Outcome::Overlapping { .. }),
+        _ => false,
+    };
+    runs.iter().find(|run| run.is_own() && overlaps(run))?;
+    let at_start =
+        |run: &&std::sync::Arc<Run>| !run.is_own() && run.time == 0.0 && run.separation().is_some();
+    runs.iter().find(at_start).map(|run| result(of, runs, run))
+}
+
 #[cfg(test)]
 mod tests {
     use crate::figure::{draw, draw_in_steps, plan};
@@ -190,6 +203,43 @@ mod tests {
             .collect();
         all.sort();
         all
+    }
+
+    /// What the steps of a scene say.
+    fn said(text: &str) -> Vec<String> {
+        let scene = open_text("s", text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let steps = draw_in_steps(&plan, plan.theme, "s").drawing.steps;
+        steps.iter().map(|step| step.sentences.join(" ")).collect()
+    }
+
+    #[test]
+    fn a_result_is_said_once_and_of_what_has_a_place() {
+        let all = said(
+            "shapes.A = { kind = 'box', half_extents = [1, 0.5], velocity = [1, 0], angular_velocity_deg = 40 }
+             shapes.B = { kind = 'box', half_extents = [0.5, 0.5], position = [1.2, 0.2] }
+             query = { kind = 'time-of-impact', of = ['A', 'B'], algorithm = 'conservative-advancement' }",
+        );
+        let last = all.last().unwrap();
+        assert!(last.matches("the shortest push").count() == 1 && last.contains("from the start"), "{last}");
+        assert!(all.iter().all(|said| !said.contains("are −")), "{all:?}");
+        let all = said(
+            "shapes.Kite = { kind = 'polygon', vertices = [[0, -1], [0.6, 0], [0, 0.5], [-0.6, 0]],
+                position = [-3, 1.5], velocity = [5, -1.5] }
+             shapes.Rock = { kind = 'regular-polygon', edges = 6, circumradius = 0.9, position = [1.4, 0.1],
+                velocity = [-1, 0] }
+             query = { kind = 'linear-sweep', of = ['Kite', 'Rock'], algorithm = 'ray-clipping' }",
+        );
+        let last = all.last().unwrap();
+        let (apart, end) = (last.find("apart along"), last.find("That is no more"));
+        assert!(apart.is_some() && apart < end, "{last}");
+        // The edges of an overlap are those that its algorithm looks at.
+        let all = said(
+            "shapes.A = { kind = 'regular-polygon', edges = 6, circumradius = 1 }
+             shapes.B = { kind = 'box', half_extents = [0.7, 0.5], position = [1.1, 0.4] }
+             query = { kind = 'overlap', of = ['A', 'B'] }",
+        );
+        assert!(all.iter().all(|said| !said.contains("does not build")), "{all:?}");
     }
 
     #[test]

@@ -120,7 +120,11 @@ fn end_of_advancement(run: &Run, all: &[Cue], voice: Voice) -> Option<String> {
     let Answer::Impact(impact) = &run.answer else { return None };
     let last = run.last_cue(|event| matches!(event, Event::Advanced { .. }))?.part(step::advanced::NEXT);
     let event = run.event_of(&last).filter(|_| !all.contains(&last))?;
-    step::end_of_advancement(event, impact.tolerance, voice)
+    let end = step::end_of_advancement(event, impact.tolerance, voice)?;
+    // "That" is how far apart they are then.
+    let apart = last.part(step::advanced::APART);
+    let said = (!all.contains(&apart)).then(|| step::sentence_of_part(event, apart.part, voice));
+    Some(together(said.into_iter().chain([end])))
 }
 
 /// What a run came to.

@@ -61,11 +61,20 @@ pub(super) fn fit(
         page = arrange(scene, layout, panels, &extents);
         sketched = sketch(scene, runs, theme, panels)?;
     }
+    let reaches: Vec<Extent> = panels.iter().map(|panel| panel.reach).collect();
     if make_room(panels, &sketched) {
         // Side by side they would have half of the size and of the room that was made, and lack it again.
         let layout = &Layout { columns: Some(page.columns), ..*layout };
         page = arrange(scene, layout, panels, &extents(panels, &sketched, &guesses));
         sketched = sketch(scene, runs, theme, panels)?;
+        let higher =
+            panels.iter().zip(&reaches).zip(&sketched).filter(|((panel, was), _)| panel.reach != **was);
+        if higher.into_iter().all(|((panel, _), sketched)| panel.inset(sketched, None).is_none()) {
+            // Room that nothing takes makes bodies small.
+            panels.iter_mut().zip(reaches).for_each(|(panel, was)| panel.reach = was);
+            page = arrange(scene, layout, panels, &extents(panels, &sketched, &guesses));
+            sketched = sketch(scene, runs, theme, panels)?;
+        }
     }
     for (panel, sketched) in panels.iter_mut().zip(&sketched) {
         panel.keep_inset((scene, runs), theme, sketched);

@@ -117,9 +117,14 @@ impl Tongue {
         self.decimal(format!("({x}{}{y})", self.between()))
     }
 
-    /// What parts two numbers, points or phrases with such.
+    /// What parts two numbers or points.
     pub(crate) const fn between(self) -> &'static str {
         if self.has_comma { "; " } else { ", " }
+    }
+
+    /// What parts two phrases with numbers: a semicolon in French has a space before it.
+    pub(crate) const fn between_phrases(self) -> &'static str {
+        if self.column == 2 { " ; " } else { self.between() }
     }
 }
 

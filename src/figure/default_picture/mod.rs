@@ -25,6 +25,7 @@ mod gjk_rounded;
 mod overlap_at_start;
 mod pair_apart;
 mod pair_overlapping;
+mod separating_edge;
 mod sweep_hit;
 mod sweep_miss;
 mod sweep_steps;
@@ -95,6 +96,7 @@ pub static PICTURES: &[Picture] = &[
     clamped_circle::PICTURE,
     contact_points::PICTURE,
     axis_test::PICTURE,
+    separating_edge::PICTURE,
     gjk_penetration::PICTURE,
     gjk_rounded::PICTURE,
     gjk_distance::PICTURE,

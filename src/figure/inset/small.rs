@@ -25,9 +25,13 @@ const FARTHEST: f64 = 5e5;
 const WORTH: f64 = 2.0;
 /// The shares of its panel's width and height that an inset may take, the largest first.
 const SHARES: [f64; 4] = [0.46, 0.4, 0.34, 0.29];
+/// The most of its panel's width and of its height that an inset takes which would be too small otherwise.
+const MOST_SHARE: f64 = 0.7;
 /// The widest and the highest that an inset is, page pixels, and the narrowest and the lowest.
 const LARGEST: [f64; 2] = [260.0, 190.0];
 const SMALLEST: [f64; 2] = [124.0, 76.0];
+/// What rounding may take off a length, page pixels.
+const NEARLY: f64 = 1e-6;
 /// The width of an inset that has room for a depth and its number, page pixels: a narrower one is taken only
 /// where none so wide is free.
 const ROOMY: f64 = 168.0;
@@ -113,7 +117,8 @@ fn among(
     narrowest: f64,
 ) -> Option<Inset> {
     let (frame, cell) = (&sketched.frame, &sketched.free);
-    let shares = SHARES.iter().flat_map(|wide| SHARES.map(|high| [*wide, high]));
+    let [wide, high] = shares(cell);
+    let shares = wide.iter().flat_map(|wide| high.iter().map(|high| [*wide, *high]));
     let most = most(sketched, found);
     let sizes = shares.filter_map(|share| {
         let found = sized(cell, (&found.rect, most), share);
@@ -151,6 +156,16 @@ fn most(sketched: &Sketched, detail: &Detail) -> f64 {
         Cover::Marker { at, .. } | Cover::Head { at, .. } => (at - from).length(),
     };
     FARTHEST / sketched.obstacles.iter().map(|obstacle| far(&obstacle.cover)).fold(1.0, f64::max)
+}
+
+/// The shares of its panel's width and height that an inset may take: of a narrow or low panel one more, by
+/// which it is as large as it must be.
+fn shares(cell: &Rect) -> [Vec<f64>; 2] {
+    [(cell.width(), SMALLEST[0]), (cell.height(), SMALLEST[1])].map(|(room, smallest)| {
+        let least = (smallest + NEARLY) / room;
+        let is_needed = SHARES[0] < least && least <= MOST_SHARE;
+        SHARES.into_iter().chain(is_needed.then_some(least)).collect()
+    })
 }
 
 /// From one end of a rectangle to the other.

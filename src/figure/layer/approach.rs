@@ -12,6 +12,7 @@ use crate::geometry::{DVec2, Side};
 use crate::scene::{Space, When};
 use crate::trace::phrase;
 
+use super::elsewhere;
 use super::{Fed, LabelKey, Layer, ONE_OF_SEVERAL, Options, Shows, Tells, ghosts};
 
 /// Why a panel of configuration space has no closest approach, where a body turns.
@@ -55,8 +56,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
 /// Draws the bodies that are elsewhere then, and the distance between their closest points.
 fn in_the_world(sketch: &mut Sketch, context: &Context, options: &Options, closest: &Approach) {
     for side in context.sides() {
-        let elsewhere = context.pose(side, closest.time) != context.pose(side, context.time);
-        if let Some(outline) = context.outline(side, closest.time).filter(|_| elsewhere) {
+        if let Some(outline) = elsewhere::then(context, side, closest.time) {
             let then = number(closest.time);
             ghosts::elsewhere(sketch, context, options, (side, closest.time, &then), &outline);
         }

@@ -9,6 +9,7 @@ use crate::figure::text::{Quantity, number};
 use crate::geometry::{DVec2, Side};
 use crate::trace::phrase;
 
+use super::elsewhere::then;
 use super::ghosts::ghost;
 use super::look_alike::point_alike;
 use super::normal::unit_vector;
@@ -105,8 +106,7 @@ fn bodies(sketch: &mut Sketch, context: &Context, options: &Options, theirs: &Ex
     let mut shown = false;
     let mut separation = separation_in_words(theirs);
     for side in context.sides() {
-        let elsewhere = context.pose(side, time) != context.pose(side, context.time);
-        if let Some(outline) = context.outline(side, time).filter(|_| elsewhere) {
+        if let Some(outline) = then(context, side, time) {
             let mut lines = at_expected(context, side, time);
             lines.extend(separation.take());
             ghost(sketch, options, side, &outline, lines);

@@ -106,12 +106,13 @@ struct First {
 
 /// The first step of an advancement from t = 0, whatever algorithm answers.
 fn first(context: &Context) -> Option<First> {
-    context.first_step()?.find_told(|event| match *event {
+    let first = context.first_step()?.find_told(|event| match *event {
         Event::Advanced { separation, closing_speed, bound, next, .. } => {
             Some(First { distance: separation, closing: closing_speed, bound, until: next })
         }
         _ => None,
-    })
+    });
+    first.filter(|first| first.distance > 0.0)
 }
 
 /// What is added to the approach in a unit of time.

@@ -14,6 +14,7 @@ use crate::trace::phrase;
 
 use super::closest::longer_way;
 use super::difference::difference;
+use super::elsewhere::{moves, then};
 use super::look_alike::look_alike;
 use super::moment::written;
 use super::spin::seen;
@@ -221,10 +222,7 @@ fn key(side: Side) -> &'static str {
 fn moment(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) {
     let Some(time) = when(context, options) else { return };
     sketch.since(context.known(&options.when("at").unwrap_or(When::Hit)));
-    if context.pose(side, time) == context.pose(side, context.time) {
-        return;
-    }
-    if let Some(outline) = context.outline(side, time) {
+    if let Some(outline) = then(context, side, time) {
         way(sketch, context, options, (side, time));
         elsewhere(sketch, context, options, (side, time, &written(context, time)), &outline);
     }
@@ -341,7 +339,7 @@ fn apart(first: Option<f64>, before: &[f64], last: f64) -> Vec<(usize, f64)> {
 /// first those that are [`apart`] and the last, which is named.
 fn steps(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) {
     // What rests is nowhere else at any step.
-    if options.words("of").is_none() && context.pose(side, 0.0) == context.pose(side, 1.0) {
+    if options.words("of").is_none() && !moves(context, side) {
         return;
     }
     let times = context.steps();

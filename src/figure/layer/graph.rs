@@ -97,6 +97,7 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "t", about: "the axis of time" },
         LabelKey { key: "s", about: "the axis of separation" },
         LabelKey { key: "step", about: "the times of the steps" },
+        LabelKey { key: "end", about: "where a motion without a hit ends, with values" },
         LabelKey { key: "more", about: "how many steps follow those that are drawn" },
         LabelKey { key: "s_1", about: "the separation at the first step" },
         LabelKey { key: "s_k", about: "the separation at a later step, where it is high enough" },
@@ -152,15 +153,21 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
     let (until, points) = curve(context, &all);
     let points = kinks::kept(context, &points);
-    let highest = points.iter().map(|p| p.y).fold(all[0].separation, f64::max);
+    let highest = points.iter().map(|p| p.y).fold(all[0].separation, f64::max).max(0.0);
+    // Bodies that overlap at the start have their depth below the axis.
+    let least = if all[0].separation < 0.0 {
+        points.iter().map(|p| p.y).fold(all[0].separation, f64::min)
+    } else {
+        0.0
+    };
     let values = options.flag("values", false);
     let [left, right, below, above] = ROOM;
     let [right, below] = if values { [right + VALUE_ASIDE, below + VALUE_ROOM] } else { [right, below] };
     let room = [left, right, below, above];
     let most = DVec2::new(until, highest);
-    let chart = match floor(context).filter(|_| options.flag("level", false)) {
+    let chart = match floor(context).filter(|_| least == 0.0 && options.flag("level", false)) {
         Some(height) => Chart::level(sketch, context, [left, right, above], (height, most)),
-        None => Chart::new(sketch, context, room, (0.0, most)),
+        None => Chart::new(sketch, context, room, (least, most)),
     };
     chart.axes(sketch, [("t", "$t$"), ("s", "$s$")]);
     if options.flag("lines", true) {
@@ -205,7 +212,12 @@ pub(super) fn looked(context: &Context, k: usize) -> Option<Cue> {
 /// Draws how s would fall at the fastest from each step, to where the next one begins.
 fn worst(sketch: &mut Sketch, (context, chart): (&Context, &Chart), all: &[Step], values: bool) {
     for (k, step) in all.iter().take(MOST).enumerate() {
-        let Some(next) = step.next.filter(|t| *t <= chart.most.x) else { continue };
+        let Some(next) = step.next.filter(|t| *t <= chart.most.x) else {
+            if k + 1 == all.len() {
+                to_the_end(sketch, (context, chart), step, values);
+            }
+            continue;
+        };
         sketch.since(looked(context, k + 1).map(|cue| cue.part(advanced::NEXT)));
         let (from, to) = (chart.place(step.time, step.separation), chart.place(next, 0.0));
         let dashed = Pen::construction();
@@ -224,6 +236,26 @@ fn worst(sketch: &mut Sketch, (context, chart): (&Context, &Chart), all: &[Step]
             let gap = chart.along(sketch, then.time - step.time);
             left(sketch, (k + 2, then), [to, up], gap, (values, ends));
         }
+    }
+}
+
+/// Draws why a motion without a hit ends: at the fastest the bodies are still apart then.
+fn to_the_end(sketch: &mut Sketch, (context, chart): (&Context, &Chart), step: &Step, values: bool) {
+    let rest = chart.most.x - step.time;
+    let left = step.separation - step.bound * rest;
+    if context.hit_time().is_some() || step.bound <= 0.0 || rest <= 0.0 || left <= 0.0 {
+        return;
+    }
+    let [from, to] =
+        [(step.time, step.separation), (chart.most.x, left)].map(|(time, s)| chart.place(time, s));
+    sketch.since(context.answered()).part("worst").weight(Weight::Background);
+    sketch.line(from, to, Pen::construction());
+    let end = chart.place(chart.most.x, 0.0);
+    chart.tick(sketch.part("end"), chart.most.x, Role::Muted);
+    if values && chart.along(sketch, rest) >= sketch.fitted(VALUE_GAP) {
+        let anchor = Anchor::Tick { at: end, toward: DVec2::NEG_Y };
+        let label = Label::new("end", format!("${}$", number(chart.most.x)), anchor, Role::Muted);
+        sketch.label(label.size(Size::Note));
     }
 }
 

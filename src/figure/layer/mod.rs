@@ -25,6 +25,7 @@ mod difference_name;
 mod edge_cues;
 mod edge_fan;
 mod edge_normals;
+mod elsewhere;
 mod enlarged;
 mod expected;
 mod facing;

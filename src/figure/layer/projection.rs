@@ -19,7 +19,7 @@ use super::axis_unit::{LIGHT, from_origin, light, numbers, on_axis, sees, shadow
 use super::half_extents::beside;
 use super::normal::{unit_length, unit_vector};
 use super::shadow::{guide, highest, lit};
-use super::tested_axis::{Tested, told};
+use super::tested_axis::{Tested, may_stop, stopped_at, told};
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, number_of};
 
 /// The part of a measure by which others are as large, as far as rounding tells.
@@ -78,12 +78,14 @@ pub(super) const LAYER: Layer = Layer {
         LabelKey { key: "light", about: "the arrows of light" },
         LabelKey { key: "gap", about: "from where A ends to where B begins: gap, overlap or depth" },
     ],
-    needs: "the algorithm \"separating-axes\", and no more axes than it tested",
+    needs: "the algorithm \"separating-axes\", and no more axes than it tested; or \"minkowski\", \
+        asked for the overlap of bodies that are apart",
     fed: |context, options| {
         // A test for overlap stops at the first axis that separates; the others look at every axis.
         let some = context.run().events().any(|e| matches!(e, Event::AxisTested { .. }));
         let stopped = matches!(context.run().answer, Answer::Overlap(_));
-        Fed::by_the_answer(tested(context, options).is_some(), some && stopped)
+        let may_stop = options.number("axis").is_none() && may_stop(context);
+        Fed::by_the_answer(tested(context, options).is_some(), some && stopped || may_stop)
     },
     draw,
 };
@@ -97,7 +99,7 @@ fn tested(context: &Context, options: &Options) -> Option<Tested> {
     let all: Vec<Tested> = run.told(told).collect();
     match options.number("axis") {
         Some(k) => all.iter().enumerate().find(|(i, _)| number_of(i + 1) == k).map(|(_, t)| *t),
-        None => widest(context, &all),
+        None => widest(context, &all).or_else(|| stopped_at(context)),
     }
 }
 
@@ -120,9 +122,11 @@ fn widest(context: &Context, all: &[Tested]) -> Option<Tested> {
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(t) = tested(context, options) else { return };
-    sketch.since(context.cue(
-        |event| matches!(*event, Event::AxisTested { axis, source, .. } if (axis, source) == (t.n, t.source)),
-    ));
+    sketch.since(context.cue(|event| match *event {
+        Event::AxisTested { axis, source, .. } => (axis, source) == (t.n, t.source),
+        Event::SeparatingAxisFound { normal, .. } => normal == t.n,
+        _ => false,
+    }));
     draw_axis(sketch, (context, options), &t);
     if options.number("axis").is_some() {
         return;

@@ -1,5 +1,7 @@
 //! What a test of an axis told of it.
 
+use crate::collision::Answer;
+use crate::figure::context::Context;
 use crate::geometry::{DVec2, Enclosure, Feature, Side};
 use crate::trace::{Event, so_far};
 
@@ -40,6 +42,40 @@ pub(super) fn told(event: &Event) -> Option<Tested> {
         }
         _ => None,
     }
+}
+
+/// The axis that ended a search among the edges of B ⊖ A, which tests none: the normal of the edge that it had
+/// found last.
+pub(super) fn stopped_at(context: &Context) -> Option<Tested> {
+    let mut last = None;
+    let (n, gap) = context.run().find_told(|event| match *event {
+        Event::DifferenceEdgeFound { source, edge, .. } => {
+            last = Some((source, Feature::Edge(edge)));
+            None
+        }
+        Event::SeparatingAxisFound { normal, gap } => Some((normal, gap)),
+        _ => None,
+    })?;
+    let interval = |side| shadow(context, side, n);
+    Some(Tested { n, source: last?, a: interval(Side::A)?, b: interval(Side::B)?, gap })
+}
+
+/// Whether the search of this question ends at such an axis where bodies are apart: one that asks for the
+/// support of an edge, and then has an edge of B ⊖ A.
+pub(super) fn may_stop(context: &Context) -> bool {
+    let is_support = |event: &&Event| matches!(event, Event::SupportFound { .. });
+    let run = context.run();
+    let mut found = run.events().skip_while(|event| !is_support(event)).skip(1);
+    matches!(run.answer, Answer::Overlap(_))
+        && matches!(found.next(), Some(Event::DifferenceEdgeFound { .. }))
+}
+
+/// From the least to the largest n·x of a body's points.
+fn shadow(context: &Context, side: Side, n: DVec2) -> Option<Enclosure> {
+    let radius = context.body(side)?.shape.radius;
+    let corners = (0..).map_while(|i| Some(context.vertex(side, i, context.time)?.dot(n)));
+    let (lo, hi) = corners.fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), x| (lo.min(x), hi.max(x)));
+    Some(Enclosure { lo: lo - radius, hi: hi + radius })
 }
 
 #[cfg(test)]

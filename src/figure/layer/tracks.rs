@@ -9,6 +9,7 @@ use crate::figure::sketch::{Anchor, LARGE_MARKER, Label, MARKER, Marker, Pen, Ra
 use crate::geometry::{DVec2, Side};
 use crate::trace::{Event, phrase};
 
+use super::elsewhere::then;
 use super::ghosts::ghost;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, part};
 
@@ -95,8 +96,7 @@ fn looks(sketch: &mut Sketch, context: &Context, options: &Options) {
     for ((from, (time, points)), to) in all.iter().zip(ends).filter(|((from, _), to)| from != to) {
         sketch.passing([*from, to], |sketch| {
             for side in context.sides() {
-                let elsewhere = context.pose(side, *time) != context.pose(side, context.time);
-                if let Some(outline) = context.outline(side, *time).filter(|_| elsewhere) {
+                if let Some(outline) = then(context, side, *time) {
                     ghost(sketch, options, side, &outline, Vec::new());
                 }
             }

@@ -11,9 +11,9 @@ use crate::geometry::{DVec2, sort_by};
 
 use super::{Outline, Piece, angle_of, on_circle};
 
-/// The most pairs of pieces of two outlines that are looked at: as many as two shapes of a thousand vertices
-/// have, held against each other in some 10 ms.
-const MOST_PAIRS: usize = 1_000_000;
+/// The most pairs of pieces of two outlines that are looked at: as many as the largest shapes of a scene have,
+/// and more.
+const MOST_PAIRS: usize = 1 << 25;
 
 /// The share of a piece's length below which it is nothing but rounding: a thousandth of a pixel of a line
 /// across the largest page.
@@ -89,9 +89,19 @@ impl Region {
     /// The pieces of its line that lie in another.
     fn within(&self, other: &Self) -> Vec<Span> {
         let mut kept = Vec::new();
+        let near = NOTHING * self.size;
+        let boxes: Vec<[DVec2; 2]> = other.spans.iter().map(|span| span.bounds(near)).collect();
         for span in &self.spans {
-            let mut shares: Vec<f64> = other.spans.iter().flat_map(|by| span.crossed(by)).collect();
-            shares.extend(other.spans.iter().flat_map(|by| span.met_by_ends(by, NOTHING * self.size)));
+            let [lo, hi] = span.bounds(near);
+            let reached = |[least, most]: &[DVec2; 2]| lo.cmple(*most).all() && least.cmple(hi).all();
+            let by: Vec<&Span> = other
+                .spans
+                .iter()
+                .zip(&boxes)
+                .filter_map(|(by, there)| reached(there).then_some(by))
+                .collect();
+            let mut shares: Vec<f64> = by.iter().flat_map(|by| span.crossed(by)).collect();
+            shares.extend(by.iter().flat_map(|by| span.met_by_ends(by, near)));
             shares.retain(|share| (NOTHING..=1.0 - NOTHING).contains(share));
             shares.extend([0.0, 1.0]);
             sort_by(&mut shares, f64::total_cmp);
@@ -118,6 +128,16 @@ impl Span {
             Self::Line(p, q) => (q - p).length(),
             Self::Arc(_, radius, ..) => radius,
         }
+    }
+
+    /// The corners of a box in which it is, and all that is as near as `near`; of an arc, that of its circle.
+    fn bounds(&self, near: f64) -> [DVec2; 2] {
+        let (lo, hi) = match *self {
+            Self::Line(p, q) => (p.min(q), p.max(q)),
+            Self::Arc(center, radius, ..) => (center - radius, center + radius),
+        };
+        let room = DVec2::splat(near + NOTHING * (hi - lo).max_element());
+        [lo - room, hi + room]
     }
 
     /// What of it lies between two shares.
@@ -282,6 +302,17 @@ mod tests {
         let common = common(&a, &b).unwrap();
         assert!((area(&common.whole) - 3.0).abs() < 1e-9, "{common:?}");
         assert_eq!(common.lines.map(|lines| lines.len()), [1, 1]);
+    }
+
+    #[test]
+    fn outlines_of_as_many_vertices_as_a_scene_may_have_share_what_circles_do() {
+        let corners = |x: f64, count: u32| -> Vec<DVec2> {
+            let at = |i: u32| on_circle(DVec2::new(x, 0.0), 1.0, TAU * f64::from(i) / f64::from(count));
+            (0..count).map(at).collect()
+        };
+        let [a, b] = [(0.0, 4096), (1.0, 4095)].map(|(x, count)| Outline::polygon(&corners(x, count)));
+        let lens = 2.0 * libm::acos(0.5) - 0.75_f64.sqrt();
+        assert!((shared(&a, &b) - lens).abs() < 1e-4, "{}", shared(&a, &b));
     }
 
     #[test]

@@ -295,10 +295,19 @@ const STAND_INS: [&str; 2] = ["\u{E000}", "\u{E001}"];
 /// What `say` says of bodies of these names, as markup: the names as labels have them, a letter in italics.
 /// An empty name is that of no body.
 pub(crate) fn named(names: [Name; 2], say: impl FnOnce([&str; 2]) -> String) -> String {
-    let mark = |side: usize| if names[side].in_words().is_empty() { "" } else { STAND_INS[side] };
-    let text = as_markup(&say([mark(0), mark(1)]));
-    names.iter().zip(STAND_INS).fold(text, |text, (name, mark)| text.replace(mark, &name.primed(0)))
+    // Little words before a name depend on how that begins: "d’étagère".
+    let begins = |name: &str| name.chars().take(3).take_while(|c| c.is_alphabetic()).collect::<String>();
+    let marks = [0, 1].map(|side| match names[side].in_words() {
+        name if name.is_empty() => name,
+        name => begins(&name) + STAND_INS[side],
+    });
+    let text = as_markup(&say([&marks[0], &marks[1]]));
+    let stand = names.iter().zip(&marks).filter(|(_, mark)| !mark.is_empty());
+    stand.fold(text, |text, (name, mark)| text.replace(mark, &name.primed(0)))
 }
+
+/// What stands before a power of ten.
+const TIMES: &str = " × ";
 
 /// Words as markup whose powers of ten, `10^−6` in words, are formulas.
 pub(crate) fn with_powers(words: &str) -> String {
@@ -310,7 +319,14 @@ pub(crate) fn with_powers(words: &str) -> String {
         match exponent {
             // A name may hold it, too.
             "" => text.extend(["10^", piece]),
-            _ => text.extend(["$10^{", &exponent.replace('−', "-"), "}$", rest]),
+            _ => {
+                // No line ends within a number.
+                if text.ends_with(TIMES) {
+                    text.truncate(text.len() - TIMES.len());
+                    text.push_str("\u{a0}×\u{a0}");
+                }
+                text.extend(["$10^{", &exponent.replace('−', "-"), "}$", rest]);
+            }
         }
     }
     text
@@ -329,6 +345,31 @@ mod tests {
         );
         let scene = crate::scene::open_text("page.toml", &text).unwrap().scene;
         block.room(&Measures::of(&scene.canvas, crate::figure::theme::TypeSizes::HOUSE))
+    }
+
+    #[test]
+    fn little_words_before_a_name_are_those_of_sentences() {
+        for (name, said) in [("étagère", "d’étagère"), ("mur", "de mur"), ("éa$", "d’éa"), ("A", "de $A$")]
+        {
+            let text = format!(
+                "lang = 'fr'
+                shapes.'{name}' = {{ kind = 'circle', radius = 1 }}
+                query = {{ kind = 'bounds', of = ['{name}'] }}"
+            );
+            let scene = crate::scene::open_text("page.toml", &text).unwrap().scene;
+            let plan = crate::figure::plan(&scene).unwrap();
+            let figure = crate::figure::draw(&plan, plan.theme, "page");
+            assert!(figure.drawing.items.iter().any(|item| says(item, said)), "{said}");
+        }
+    }
+
+    /// Whether words are set somewhere, as markup.
+    fn says(item: &crate::drawing::Item, said: &str) -> bool {
+        match item {
+            crate::drawing::Item::Group(group) => group.items.iter().any(|item| says(item, said)),
+            crate::drawing::Item::Text(text) => text.line.markup.contains(said),
+            crate::drawing::Item::Path(_) => false,
+        }
     }
 
     #[test]
@@ -356,7 +397,7 @@ mod tests {
 
     #[test]
     fn a_power_of_ten_in_words_becomes_a_formula() {
-        assert_eq!(with_powers("at (1.5 × 10^−6, 2)."), "at (1.5 × $10^{-6}$, 2).");
+        assert_eq!(with_powers("at (1.5 × 10^−6, 2)."), "at (1.5\u{a0}×\u{a0}$10^{-6}$, 2).");
         assert_eq!(with_powers("10^12"), "$10^{12}$");
         assert_eq!(with_powers("no power"), "no power");
     }

@@ -26,6 +26,7 @@ mod quantity;
 mod round;
 mod step_values;
 mod symbols;
+mod turns;
 mod values;
 mod wording;
 

@@ -11,6 +11,7 @@ use super::contacts::{self, deepest};
 use super::directions::{d, hit_normal, normal, penetration};
 use super::quantity::Quantity;
 use super::step_values::{count, last_step, of_step, of_step_or_first};
+use super::turns::turn;
 
 /// A value that text may name.
 pub(crate) struct Value {
@@ -140,7 +141,7 @@ pub(crate) static VALUES: &[Value] = &[
     told!("V.y", "y of V, in the box's frame", Event::Clamped { v, .. } => v.y),
     told!("clamped.x", "x of V clamped to the half-extents", Event::Clamped { clamped, .. } => clamped.x),
     told!("clamped.y", "y of V clamped to the half-extents", Event::Clamped { clamped, .. } => clamped.y),
-    told!("r", "the circle's radius", Event::Clamped { radius, .. } => *radius),
+    told!("r", "what comes off D: the circle's radius, and that of the box's corners", Event::Clamped { radius, .. } => *radius),
     Value { name: "box.angle", about: "angle of the box that clamps, degrees", of: angle_of_the_box },
     Value { name: "D", about: "length of D = B − B_c", of: |c| d(c, DVec2::length) },
     Value {
@@ -205,14 +206,14 @@ pub(crate) static VALUES: &[Value] = &[
         about: "y of B's deepest contact, in the panel's frame",
         of: |c| deepest(c, |[_, b]| b.y),
     },
-    told!("theta", "angle turned, degrees", Event::MotionBounded { theta, .. } => theta.to_degrees()),
-    told!("theta.rad", "angle turned, radians", Event::MotionBounded { theta, .. } => *theta),
-    told!(
-        "radius",
-        "distance of the farthest point from the body's origin",
-        Event::MotionBounded { radius, .. } => *radius
-    ),
-    told!("L", "arc length θ r", Event::MotionBounded { arc, .. } => *arc),
+    Value { name: "theta", about: "angle turned, degrees", of: |c| turn(c, |t| t.theta.to_degrees()) },
+    Value { name: "theta.rad", about: "angle turned, radians", of: |c| turn(c, |t| t.theta) },
+    Value {
+        name: "radius",
+        about: "distance of the farthest point from the body's origin",
+        of: |c| turn(c, |t| t.radius),
+    },
+    Value { name: "L", about: "arc length θ r", of: |c| turn(c, |t| t.arc) },
     Value { name: "min.x", about: "smallest x of the bounds", of: |c| bounds(c, |[min, _]| min.x) },
     Value { name: "min.y", about: "smallest y of the bounds", of: |c| bounds(c, |[min, _]| min.y) },
     Value { name: "max.x", about: "largest x of the bounds", of: |c| bounds(c, |[_, max]| max.x) },

@@ -4,8 +4,8 @@
 use super::hand::Hand;
 use super::phrases::moving::{
     AGREES, AT_TIME, BEGINS, BOUND, CLOSEST, ENDS, ENTERED, FACES_AWAY, INCOMPARABLE, MISSED, NORMAL_BY, OFF,
-    OFF_BY, ON_TO, OUTCOME_BY, PATH, PATHS, POINT_BY, RAY, RAY_AT, SEPARATION_BY, STEP, STOPS, SWEPT, THAN,
-    TIME_BY, WITH_TURNING,
+    OFF_BY, ON_TO, OUTCOME_BY, OVERLAP_STEP, PATH, PATHS, POINT_BY, RAY, RAY_AT, SEPARATION_BY, STEP, STOPS,
+    SWEPT, THAN, TIME_BY, WITH_TURNING,
 };
 use super::words::Voice;
 use crate::geometry::{DVec2, Feature, MOST_EPS, Side};
@@ -43,10 +43,13 @@ pub(super) fn advanced(
     next: Option<f64>,
 ) -> String {
     let on = next.map_or_else(|| voice.word(&STOPS), |t| voice.say(&ON_TO, &[&voice.number(t)]));
-    let (separation, normal) = (voice.length(separation), voice.point(normal));
+    let (apart, normal) = (voice.length(separation.abs()), voice.point(normal));
+    if separation < 0.0 {
+        return voice.say(&OVERLAP_STEP, &[&step.to_string(), &voice.moment(at), &apart, &normal, &on]);
+    }
     let (speed, turning) = (voice.number(closing), with_turning(voice, [closing, bound]));
     let moment = voice.moment(at);
-    voice.say(&STEP, &[&step.to_string(), &moment, &separation, &normal, &speed, &turning, &on])
+    voice.say(&STEP, &[&step.to_string(), &moment, &apart, &normal, &speed, &turning, &on])
 }
 
 /// The bound on how fast bodies come nearer; empty where they do not turn and no point is faster.
@@ -115,7 +118,7 @@ pub(super) fn compared(
         told(b, size).map(|x| point(Side::B, x)),
     ];
     let parts: Vec<String> = parts.into_iter().flatten().collect();
-    let all = parts.join(voice.tongue.between());
+    let all = parts.join(voice.tongue.between_phrases());
     match parts.is_empty() {
         true => voice.word(&AGREES),
         false if is_full => voice.say(&OFF, &[&voice.few(size), &all]),

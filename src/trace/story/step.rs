@@ -200,8 +200,10 @@ pub(crate) fn sentence_of_part(event: &Event, of: usize, voice: Voice) -> String
         }
         Event::Advanced { at, separation, normal, closing_speed, bound, next, .. } => match (of, next) {
             (advanced::APART, _) => {
-                voice.say(&words::APART, &[&voice.length(*separation), &voice.point(*normal)])
+                let words = if *separation < 0.0 { &words::OVERLAP } else { &words::APART };
+                voice.say(words, &[&voice.length(separation.abs()), &voice.point(*normal)])
             }
+            (_, None) if *separation < 0.0 => voice.word(&words::STOPS),
             (_, Some(next)) if *closing_speed <= 0.0 => {
                 voice.say(&words::TURN_IN, &[&voice.number(*bound), &voice.number(*next)])
             }

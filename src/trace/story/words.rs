@@ -90,7 +90,8 @@ impl<'n> Voice<'n> {
         let of_each = [(Side::A, at.angle_a), (Side::B, at.angle_b)];
         let there = of_each.into_iter().filter(|(side, _)| !self.names.of(*side).is_empty());
         let turned = there.map(|(side, angle)| self.say(&AT_ANGLE, &[&self.of(side), &self.number(angle)]));
-        format!("{time} ({})", turned.collect::<Vec<_>>().join(self.tongue.between()))
+        let between = self.tongue.between_phrases();
+        format!("{time} ({})", turned.collect::<Vec<_>>().join(between))
     }
 
     /// Vertices in words: "vertex 0 at (1, 2) and vertex 1 at (3, 4)".

@@ -1,7 +1,7 @@
 //! What a graph shows of the steps: lines, values, the last number.
 
 use super::*;
-use crate::drawing::{Contour, Segment};
+use crate::drawing::{Contour, Point, Segment};
 use crate::figure::layer::tests::{paths, points};
 use crate::figure::{Figure, draw, draw_in_motion, plan};
 use crate::scene::open_text;
@@ -233,4 +233,42 @@ fn a_graph_marks_the_moment_that_others_show_while_a_figure_plays() {
     let places: Vec<f64> = figure.motion.iter().filter_map(|frame| middle(&frame.drawing.items)).collect();
     assert!(places.len() >= 4 && places.windows(2).all(|pair| pair[1] > pair[0] + 10.0), "{places:?}");
     assert_eq!(middle(&figure.items), None, "the figure itself shows all moments");
+}
+
+/// What is drawn and noted of bodies that move towards each other, or away from where they overlap.
+fn drawn(keys: &str, layer: &str) -> (Figure, Vec<String>) {
+    let text = format!(
+        "shapes.A = {{ kind = 'box', half_extents = [1, 1], velocity = [-3, 0], angular_velocity_deg = 30 }}
+        shapes.B = {{ kind = 'box', half_extents = [1, 1], {keys} }}
+        query = {{ kind = 'time-of-impact', of = ['A', 'B'], algorithm = 'conservative-advancement' }}
+        panels = [{{ layers = [{{ layer = '{layer}' }}] }}]"
+    );
+    let scene = open_text("graph", &text).unwrap().scene;
+    let plan = plan(&scene).unwrap();
+    let notes = plan.warnings.iter().map(|problem| problem.fault.to_string()).collect();
+    (draw(&plan, plan.theme, "graph"), notes)
+}
+
+#[test]
+fn bodies_that_overlap_at_the_start_have_their_depth_below_the_axis() {
+    let (figure, _) = drawn("position = [1, 0]", "graph");
+    let panel = figure.panels[0].frame.panel;
+    let inside = |p: &Point| panel.x0 <= p.x && p.x <= panel.x1 && panel.y0 <= p.y && p.y <= panel.y1;
+    for part in ["curve", "steps"] {
+        let all = paths(&figure.drawing.items, part);
+        assert!(!all.is_empty() && all.iter().all(|path| points(path).iter().all(inside)), "{part}");
+    }
+    assert_eq!(said(&figure, "s_1"), ["$s_1 = -1$"]);
+    // What is nearest to come in a time is asked of bodies that are apart.
+    let (_, notes) = drawn("position = [1, 0]", "fastest-approach");
+    assert!(notes.iter().any(|note| note.contains("fastest-approach")), "{notes:?}");
+}
+
+#[test]
+fn of_a_miss_the_last_line_reaches_the_end_above_the_axis() {
+    let (figure, _) = drawn("position = [-9, 0]", "graph");
+    let line = points(paths(&figure.drawing.items, "worst").last().unwrap());
+    let axis = points(paths(&figure.drawing.items, "axis")[0]);
+    let [from, to] = [line[0], *line.last().unwrap()];
+    assert!(from.x < to.x && from.y < to.y && to.y < axis[0].y, "{line:?} {axis:?}");
 }

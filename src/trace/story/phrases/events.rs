@@ -100,8 +100,8 @@ phrases! {
     /// The difference of bodies of which one is round.
     ROUNDED: "* is rounded by a radius of *.",
         "* ist mit einem Radius von * gerundet.",
-        "* est arrondi d’un rayon de *.",
-        "* está redondeado con un radio de *.";
+        "* a des coins arrondis d’un rayon de *.",
+        "* tiene esquinas redondeadas con un radio de *.";
     /// The point of an edge that is nearest to the origin, and how far the origin is from there.
     PROJECTED: "Nearest to the origin is *, *.",
         "Dem Ursprung am nächsten ist *, *.",
@@ -265,8 +265,8 @@ phrases! {
     /// How many they are that are drawn for a reader alone.
     UNBUILT: "* has * edges; the algorithm does not build it.",
         "* hat * Kanten; der Algorithmus bildet sie nicht.",
-        "* a * arêtes ; l’algorithme ne la construit pas.",
-        "* tiene * aristas; el algoritmo no la construye.";
+        "* a * arêtes ; l’algorithme ne forme pas cette différence.",
+        "* tiene * aristas; el algoritmo no forma esta diferencia.";
     /// The nearest of them: edge, body, how far, where.
     NEAREST: "Nearest to the origin is * of *: * away, at *.",
         "Dem Ursprung am nächsten ist * von *: * entfernt, bei *.",

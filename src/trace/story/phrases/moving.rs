@@ -29,6 +29,11 @@ phrases! {
         "Schritt *: Bei * sind sie * voneinander entfernt, entlang *, und nähern sich mit **; *.",
         "Étape * : à *, ils sont à une distance de * le long de * ; vitesse de rapprochement : ** ; *.",
         "Paso *: en * están a * a lo largo de *; velocidad de acercamiento: **; *.";
+    /// A step of bodies that overlap: number, moment, depth, normal, how it goes on.
+    OVERLAP_STEP: "Step *: at * they overlap by * along *; *.",
+        "Schritt *: Bei * überlappen sie sich um * entlang *; *.",
+        "Étape * : à *, ils se recouvrent de * le long de * ; *.",
+        "Paso *: en * se solapan en * a lo largo de *; *.";
     /// The bound on their speed.
     WITH_TURNING: ", at most * with the turning",
         ", höchstens * mit der Drehung",

@@ -168,13 +168,18 @@ phrases! {
     /// The bound on its turn.
     NO_FARTHER: "No point of * turns farther than L = θ r = *.",
         "Kein Punkt von * dreht sich weiter als L = θ r = *.",
-        "Aucun point de * ne tourne de plus que L = θ r = *.",
+        "Aucun point de * ne tourne de plus de L = θ r = *.",
         "Ningún punto de * se desplaza al girar más que L = θ r = *.";
     /// A step of an advancement: separation, normal.
     APART: "They are * apart along *.",
         "Sie sind * voneinander entfernt, entlang *.",
         "Ils sont à une distance de * le long de *.",
         "Están a * a lo largo de *.";
+    /// How deep they are in each other at a step: depth, normal.
+    OVERLAP: "They overlap by * along *.",
+        "Sie überlappen sich um * entlang *.",
+        "Ils se recouvrent de * le long de *.",
+        "Se solapan en * a lo largo de *.";
     /// How far it is safe: speed, bound, time.
     CLOSE_IN: "They close in at **: nothing touches before t = *.",
         "Sie nähern sich mit **: Nichts berührt sich vor t = *.",
