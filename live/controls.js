@@ -94,7 +94,7 @@ class Knob {
         const value = followed(from, [x + this.off[0], y + this.off[1]]);
         const step = event.altKey ? 0 : this.figure.snap(from);
         const clean = step ? snapped(value, step) : tidy(value, from);
-        this.figure.want(this.handle, within(clean, from));
+        this.figure.want(this.handle, within(clean, from, step));
     }
 
     release() {

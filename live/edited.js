@@ -78,13 +78,19 @@ class Edited {
     reset() {
         this.alive(() => {
             this.forget();
-            [this.step, this.stepping] = [WHOLE, false];
-            this.engine.x.tf_step(WHOLE);
+            this.showStep(WHOLE, false);
             this.why.textContent = "";
             this.settleNow();
             // The button is gone now, and what is next to it has its place.
             this.bar.querySelector(".acts button:last-child").focus({ preventScroll: true });
         });
+    }
+
+    // Has the next drawing show a step. On paper an earlier one has its words.
+    showStep(step, stepping) {
+        [this.step, this.stepping] = [step, stepping];
+        this.root.toggleAttribute("data-at-step", step !== WHOLE);
+        this.engine.x.tf_step(step);
     }
 
     async copy() {
@@ -185,8 +191,7 @@ class Edited {
         const step = Math.trunc(said.get(STEP));
         const isShown = this.count && step > 0 && step < this.info.steps.length;
         if (isShown || this.step !== WHOLE) {
-            [this.step, this.stepping] = [isShown ? step : WHOLE, Boolean(isShown)];
-            this.engine.x.tf_step(this.step);
+            this.showStep(isShown ? step : WHOLE, Boolean(isShown));
         }
         const isKnown = this.info.handles.some(({ grip }) => grip === "time");
         const clock = isKnown || !this.clock ? [] : [this.clock];

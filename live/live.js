@@ -383,7 +383,7 @@ class Figure extends Edited {
     toStep(step) {
         [this.step, this.stepping] = [step, true];
         this.alive(() => {
-            this.engine.x.tf_step(step);
+            this.showStep(step, true);
             this.draw();
             this.toAddress();
             this.speak(0);

@@ -51,12 +51,15 @@ const tidy = (value, handle) => snapped(value, grid(handle));
 const short = (value, handle) =>
     handle.pull ? tidy(value, handle) : each(value, (v) => Number(v.toPrecision(4)));
 
-// A value where a handle can be; at an end of that it has no more digits than elsewhere. A time ends at the
-// first contact, and not short of it.
-function within(value, handle) {
+// A value where a handle can be; at an end of that it has no more digits than elsewhere, and is a step of those
+// to which it snaps. A time ends at the first contact, and not short of it.
+function within(value, handle, step) {
     let [lo, hi] = handle.range;
     if (handle.grip !== "time") {
-        [lo, hi] = [snapped(lo, grid(handle), Math.ceil), snapped(hi, grid(handle), Math.floor)];
+        const ends = (by) => [snapped(lo, by, Math.ceil), snapped(hi, by, Math.floor)];
+        const steps = step ? ends(step) : [1, 0];
+        const hasSome = [steps[0]].flat().every((least, i) => least <= [steps[1]].flat()[i]);
+        [lo, hi] = hasSome ? steps : ends(grid(handle));
     }
     return Array.isArray(value)
         ? value.map((v, i) => Math.min(Math.max(v, lo[i]), hi[i]))

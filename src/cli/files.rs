@@ -9,7 +9,7 @@ use clap::Args;
 use clap::builder::PossibleValuesParser;
 use tracefig::drift::{Stamp, facts, fingerprint, hash_of_line, is_whole, restamped};
 use tracefig::figure::theme;
-use tracefig::figure::{Figure, no_playhead};
+use tracefig::figure::{Figure, no_playhead, not_held};
 use tracefig::output::{Format, INLINE, MOST_BYTES, Options, PngEffort};
 use tracefig::scene::{Ink, Refused, Scene, SceneFile, Variant, visible};
 
@@ -299,8 +299,10 @@ impl Files {
             let plan = planned_anew.as_ref().unwrap_or(&plan);
             let id = figure_id(job, first);
             let drawn = self.motion.drawn(in_time, (plan, theme, &id)).map_err(refuse)?;
+            let lacking = self.live.map(|_| not_held(scene, &drawn).into_iter().chain(no_playhead(scene)));
+            let lacking: Vec<_> = lacking.into_iter().flatten().collect();
             let Figure { mut drawing, mut warnings, .. } = drawn;
-            warnings.extend(self.live.and_then(|_| no_playhead(scene)));
+            warnings.extend(lacking);
             drawing.narrow = narrow((scene, theme), (&drawing, in_time), same_theme);
             if self.steps.words {
                 drawing = plan.with_words_below(drawing, theme);

@@ -38,8 +38,8 @@ pub(crate) struct Render {
     #[arg(short, long, value_name = "DIR|FILE")]
     output: Option<PathBuf>,
     /// Read a scene (as JSON) a line from standard input, as `solve` does; each becomes files named by its
-    /// `id`, changed where no file can be called so, or `line-N` without one; one that only differs in case
-    /// from an earlier one is refused
+    /// `id`, changed where no file can be called so or an earlier one differs in case alone, or `line-N`
+    /// without one; a second line of one `id` is refused
     #[arg(long, conflicts_with_all = ["scenes", "skip_unchanged", "partition",
         "per_page", "paper", "no_numbers", "heading", "name_line"])]
     jsonl: bool,

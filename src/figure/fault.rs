@@ -77,6 +77,11 @@ pub enum Fault {
         /// How many it has.
         count: usize,
     },
+    /// A note: something that a scene lets be dragged, and no layer draws it.
+    NotHeld {
+        /// What it is, as the scene writes it.
+        what: String,
+    },
     /// A flag of a layer that makes no difference.
     IdleOption {
         /// The name of the layer.
@@ -216,6 +221,7 @@ impl Fault {
             | Self::NothingPlays { .. }
             | Self::StillText { .. }
             | Self::NoStepLeft { .. }
+            | Self::NotHeld { .. }
             | Self::OutOfView { .. }
             | Self::LayerOutOfView { .. }
             | Self::BadName { .. }
@@ -243,6 +249,7 @@ impl Explain for Fault {
             | Self::NoValue { .. } => codes::NOT_IN_ANSWER.code,
             Self::NothingPlays { .. } | Self::StillText { .. } => codes::NOTHING_PLAYS.code,
             Self::NoStepLeft { .. } => codes::NO_STEP_LEFT.code,
+            Self::NotHeld { .. } => codes::NOT_HELD.code,
             Self::OutOfView { .. } | Self::LayerOutOfView { .. } => codes::OUT_OF_VIEW.code,
             Self::NoLayers => codes::NO_LAYERS.code,
             Self::EmptyView { .. } => codes::EMPTY_VIEW.code,

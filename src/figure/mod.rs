@@ -40,6 +40,7 @@ mod motion;
 mod moving_frame;
 mod name;
 mod narrow;
+mod not_held;
 mod off_page;
 mod out_of_view;
 
@@ -92,6 +93,7 @@ pub(crate) use language::{Language, Row, rows};
 pub use layer::options::{COMMON, OptionSpec, Takes};
 pub use lost_playhead::no_playhead;
 pub use motion::draw_in_motion;
+pub use not_held::not_held;
 pub use off_page::off_page;
 pub use placement::{LabelFault, Labelled, Placed};
 pub use plan::{Plan, plan, plan_in};

@@ -47,6 +47,7 @@ codes! {
     NO_SUCH_MOMENT = "no-such-moment", "a panel shows a hit or a step that no answer to the query has";
     NOTHING_PLAYS = "nothing-plays", "note: a figure that was to play, and no panel of it does";
     NO_STEP_LEFT = "no-step-left", "note: `[[steps]]` has words for more steps than the figure has";
+    NOT_HELD = "not-held", "note: `[live] drag` names what no layer of the figure draws";
     NO_LAYERS = "no-layers", "warning: a panel whose list of layers is empty";
     EMPTY_VIEW = "empty-view",
         "warning: a panel's `view` or `inset` holds nothing of what the panel draws";

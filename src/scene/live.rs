@@ -111,9 +111,7 @@ pub(super) fn read(top: &Checked<'_>, bodies: &[body::Read], p: &mut Problems) -
             let found = |item| {
                 let found = word(item);
                 if found.is_none() && !p.is_full() {
-                    let known = known(bodies);
-                    let got = as_text(item).unwrap_or_default().to_owned();
-                    p.add(Fault::UnknownWord { what: "thing to drag", got, known }, &item.span);
+                    p.add(no_such_thing(as_text(item).unwrap_or_default(), bodies), &item.span);
                 }
                 found
             };
@@ -146,6 +144,26 @@ fn drag(word: &str, bodies: &[body::Read]) -> Option<Drag> {
     let &(_, grip) = Grip::WORDS.iter().find(|(known, _)| *known == part)?;
     // Of a shape that is wrong, which is told elsewhere, everything may be said.
     bodies[body].body.as_ref().is_none_or(|it| grip.is_of(it)).then_some(Drag { body, grip })
+}
+
+/// What is wrong with a word that names nothing, or what a shape of its kind has not.
+fn no_such_thing(got: &str, bodies: &[body::Read]) -> Fault {
+    let known = known(bodies);
+    let of_a_body = |(name, part): (&str, &str)| {
+        let read = bodies.iter().find(|read| read.name.value == name)?;
+        Grip::words().find(|word| *word == part).and_then(|_| read.body.as_ref())
+    };
+    match got.rsplit_once('.').and_then(|parts| Some((parts, of_a_body(parts)?))) {
+        Some(((name, part), body)) => {
+            let own = |word: &&String| word.strip_prefix(name).is_some_and(|end| end.starts_with('.'));
+            let own: Vec<String> = known.iter().filter(own).map(|word| format!("`{word}`")).collect();
+            Fault::Conflict {
+                message: format!("a `{}` has no {part} that could be dragged", body.shape.kind),
+                help: format!("drag `{name}`, or of it {}", own.join(", ")),
+            }
+        }
+        None => Fault::UnknownWord { what: "thing to drag", got: got.to_owned(), known },
+    }
 }
 
 /// Every word that names something.

@@ -99,6 +99,9 @@ impl Fault {
                 return format!("add `{key}` there{so}");
             }
             Self::WrongType { key, expected, .. } => return written(key, expected),
+            Self::OutOfRange { key, .. } if key == "shapes" => {
+                "a shape is a table with its name: `[shapes.A]`"
+            }
             Self::OutOfRange { key, .. } => {
                 return format!("give `{key}` such a value, or leave it out where it need not be given");
             }
@@ -119,7 +122,7 @@ fn of_shape(error: &ShapeError) -> Option<&'static str> {
     Some(match (error.code, error.field) {
         ("not-finite", _) => "write a number: what an engine writes as `nan` or `inf` has none",
         ("too-large", _) => "measure in a larger unit: all of a scene by the same factor",
-        ("negative-radius", _) => "`radius = 0` is sharp; a hole has no shape",
+        ("negative-radius", _) => "with `radius = 0` a circle is a point, and corners are sharp",
         ("negative-extent", _) => "half-extents are half the width and half the height, both above 0",
         ("degenerate", "half_extents") => {
             "a `capsule` with `points = [[-1, 0], [1, 0]]` and `radius = 0` is a segment"

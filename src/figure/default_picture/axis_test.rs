@@ -10,6 +10,6 @@ pub(super) const PICTURE: Picture = Picture {
     fits: |case| case.count(|e| matches!(e, Event::AxisTested { .. })) > 0,
     panels: r#"
 [[panels]]
-layers = ["shapes", "projection"]
+layers = ["shapes", { layer = "ghosts", of = "B", at = "separated" }, "projection"]
 "#,
 };

@@ -20,14 +20,18 @@ pub(super) const PICTURE: Picture = Picture {
     panels: r#"
 [[panels]]
 title = "World"
-time = "start"
 inset = "small"
-layers = ["shapes", { layer = "separation", points = true }, { layer = "velocity", scale = 1 }, "spin"]
+layers = [
+  "shapes",
+  { layer = "ghosts", of = "B", at = "separated" },
+  { layer = "velocity", scale = 1 },
+  "spin",
+  { layer = "separation", points = true },
+]
 
 [[panels]]
 title = "Configuration space"
 space = "configuration"
-time = "start"
 inset = "small"
 layers = ["axes", "difference", "origin", "closest"]
 "#,

@@ -14,7 +14,7 @@ pub(super) const PICTURE: Picture = Picture {
 title = "World"
 time = "start"
 inset = "small"
-layers = ["shapes", "approach", "velocity", "spin"]
+layers = ["shapes", { layer = "ghosts", at = "steps", numbered = true }, "approach", "velocity", "spin"]
 
 [[panels]]
 title = "Separation over time"

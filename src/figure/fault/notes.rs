@@ -27,6 +27,7 @@ impl Fault {
                 )
             }
             Self::NothingPlays { why } => write!(f, "nothing plays: {why}"),
+            Self::NotHeld { what } => write!(f, "no layer draws `{what}`, so that nobody can drag it"),
             Self::StillText { what } => {
                 write!(f, "the `{what}` of the figure stands still while panels play, and tells a moment")
             }
@@ -73,6 +74,7 @@ impl Fault {
             }
             Self::EmptyView { .. } => Some("give it a rectangle within that".to_owned()),
             Self::NothingPlays { .. } => Some("it is drawn as it stands".to_owned()),
+            Self::NotHeld { .. } => Some("a page has its numbers all the same".to_owned()),
             Self::StillText { .. } => Some("the `caption` or `title` of a panel plays".to_owned()),
             Self::NoStepLeft { .. } => Some("`until` counts the figure's own steps, from 1".to_owned()),
             Self::OutOfView { .. } | Self::LayerOutOfView { .. } => {

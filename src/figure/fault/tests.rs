@@ -32,6 +32,7 @@ fn notes() -> Vec<(Fault, &'static str, &'static str)> {
         ),
         (
             Fault::NoStepLeft { count: 3 },
+            Fault::NotHeld { what: "A.velocity".to_owned() },
             "no step is left for these words: the figure has 3",
             "`until` counts the figure's own steps, from 1",
         ),

@@ -101,7 +101,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         components(sketch, &c, shows("clamped"), along);
     }
     if shows("clamped") {
-        kept(sketch.since(at(parts::CUT)), options, &c, along);
+        kept(sketch.since(at(parts::CUT)), options, &c, (along, shows("components")));
     }
     // Both in the frame of the panel, so that D is V less what is kept of it in the world as well.
     // In the frame of the box they are as the algorithm has them: what was not cut leaves nothing. Of a
@@ -194,8 +194,8 @@ fn components(sketch: &mut Sketch, c: &Clamped, with_kept: bool, values: bool) {
 }
 
 /// Draws what clamping left of the components, thick, `values` beside their letters, and the rectangle that
-/// they span.
-fn kept(sketch: &mut Sketch, options: &Options, c: &Clamped, values: bool) {
+/// they span. Where the components themselves are not `drawn`, the values are of both.
+fn kept(sketch: &mut Sketch, options: &Options, c: &Clamped, (values, drawn): (bool, bool)) {
     let role = options.role(Role::Now);
     // The two lead to its corner.
     let corners = [DVec2::ZERO, DVec2::new(c.kept.x, 0.0), c.kept, DVec2::new(0.0, c.kept.y)];
@@ -207,7 +207,10 @@ fn kept(sketch: &mut Sketch, options: &Options, c: &Clamped, values: bool) {
         let end = c.pose.position + axis * kept;
         sketch.part("clamped").line(c.pose.position, end, Pen::highlighted(role));
         let (key, text) = if component == kept { (whole_key, whole) } else { (key, cut) };
-        let anchor = Anchor::middle(c.pose.position, end);
-        sketch.label(Label::new(key, with_value(text, kept, values), anchor, role));
+        let text = match component == kept || drawn || !values {
+            true => with_value(text, kept, values),
+            false => format!("{}, clamped to ${}$", with_value(whole, component, true), number(kept)),
+        };
+        sketch.label(Label::new(key, text, Anchor::middle(c.pose.position, end), role));
     }
 }

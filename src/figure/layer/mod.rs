@@ -12,6 +12,7 @@ mod axis_gaps;
 mod axis_unit;
 mod bounds;
 mod bracket;
+mod carrying;
 mod chart;
 mod clamp;
 mod clipping;

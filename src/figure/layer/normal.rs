@@ -10,8 +10,9 @@ use crate::geometry::{DVec2, Side};
 use crate::scene::{NOTES, When};
 use crate::trace::phrase;
 
+use super::carrying::{Carrying, drawn, edges};
 use super::moment;
-use super::separation::{Carrying, NO_EDGE, drawn, edges};
+use super::separation::NO_EDGE;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, Shows, Takes, Tells, tied};
 
 /// Drawn length of the unit vector where the scene does not say, world units: its own.

@@ -12,11 +12,12 @@ use crate::figure::context::Context;
 use crate::figure::runs::Run;
 use crate::figure::sketch::{Anchor, Label, MARKER, Marker, Pen, Size, Sketch, Weight, left_of};
 use crate::figure::text::{Quantity, asked_distance, distance_or_depth};
-use crate::geometry::{DVec2, Feature, Side, perp};
+use crate::geometry::{DVec2, Side, perp};
 use crate::trace::{Event, phrase};
 
 use crate::scene::{NOTES, When};
 
+use super::carrying::{drawn, edges};
 use super::closest::{WayOut, longer, longer_way, unseen};
 use super::depth_disc::{disc, disc_place};
 use super::difference::difference;
@@ -213,7 +214,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let (key, text) = words(context, &run, &answer);
     let text = asked_distance(context, &answer).unwrap_or(text);
     // On the outer side of a line that is moved aside; a long text on a short arrow beyond one of its ends.
-    let anchor = Anchor::Beside { from: q, to: p, offset };
+    let anchor = if touches(&answer) { Anchor::point(p) } else { Anchor::Beside { from: q, to: p, offset } };
     // That of concentric circles every way is as long is plain to see, where there is little room.
     let ties = tied(answer.ties).filter(|_| answer.bounds.hi < 0.0 && answer.ties > 0);
     let then = moment::other(context, run.time);
@@ -226,43 +227,21 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     });
 }
 
-/// Marks the closest points, if the scene wants them.
+/// Whether bodies are not apart and do not overlap, for all that is known.
+fn touches(answer: &Separation) -> bool {
+    answer.bounds.lo <= 0.0 && answer.bounds.hi >= 0.0
+}
+
+/// Marks the closest points, if the scene wants them; where bodies touch in any case.
 fn points(sketch: &mut Sketch, options: &Options, answer: &Separation) {
-    if options.flag("points", false) {
-        sketch.part("closest-points").marker(answer.points[0], Marker::Disc, Side::A.into(), MARKER);
-        sketch.part("closest-points").marker(answer.points[1], Marker::Square, Side::B.into(), MARKER);
-    }
-}
-
-/// An edge that carries a witness point: whose it is, that point, and from end to end, moved out by the
-/// radius, in the world.
-pub(super) type Carrying = (Side, DVec2, [DVec2; 2]);
-
-/// The edges that carry a witness point.
-pub(super) fn edges(context: &Context, time: f64, answer: &Separation) -> Vec<Carrying> {
-    let edge = |(side, feature, point): (Side, Feature, DVec2)| {
-        let (Feature::Edge(i), Some(body), Some(pose)) =
-            (feature, context.body(side), context.pose(side, time))
-        else {
-            return None;
-        };
-        let outward = if side == Side::A { answer.normal } else { -answer.normal };
-        let ends = body.shape.edge_ends(i)?;
-        let ends =
-            ends.map(|k| body.shape.vertices.get(k).map(|&v| pose.point(v) + outward * body.shape.radius));
-        Some((side, point, [ends[0]?, ends[1]?]))
-    };
-    let [a, b] = answer.features;
     let [p, q] = answer.points;
-    [(Side::A, a, p), (Side::B, b, q)].into_iter().filter_map(edge).collect()
-}
-
-/// The edges with a witness point that are drawn: of bodies that stand as in the panel, or beside ghosts.
-pub(super) fn drawn(sketch: &Sketch, context: &Context, time: f64, answer: &Separation) -> Vec<Carrying> {
-    let mut all = edges(context, time, answer);
-    let stands = |side| context.pose(side, time) == context.pose(side, context.time);
-    all.retain(|&(side, ..)| stands(side) || sketch.has_layer(super::ghosts::LAYER.name));
-    all
+    if touches(answer) {
+        // Where bodies touch both are one point, and nothing else is seen of a distance of 0.
+        sketch.part("closest-points").marker(p, Marker::Disc, options.role(Role::Translation), MARKER);
+    } else if options.flag("points", false) {
+        sketch.part("closest-points").marker(p, Marker::Disc, Side::A.into(), MARKER);
+        sketch.part("closest-points").marker(q, Marker::Square, Side::B.into(), MARKER);
+    }
 }
 
 /// Draws the line of an edge that carries a witness point, beyond both of its ends.
