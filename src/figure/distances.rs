@@ -1,21 +1,28 @@
 //! How far two bodies are apart at moments that curves ask for: each moment once, though a figure is sketched
 //! to see what it reaches before it is drawn.
 
-use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
 
 use crate::collision::{Pair, Separation};
 use crate::geometry::Body;
 
-/// The separations of a figure's two bodies, by the bits of the moment.
+/// The separations of a figure's two bodies with the bits of their moments, in the order of these.
 #[derive(Debug, Default)]
-pub(crate) struct Distances(Mutex<BTreeMap<u64, Separation>>);
+pub(crate) struct Distances(Mutex<Vec<(u64, Separation)>>);
 
 impl Distances {
     /// The separation of the figure's bodies at a moment, which are always the same two.
     pub(crate) fn at(&self, a: &Body, b: &Body, time: f64) -> Separation {
         let mut known = self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        *known.entry(time.to_bits()).or_insert_with(|| Pair::at(a, b, time).separation())
+        let bits = time.to_bits();
+        match known.binary_search_by(|(other, _)| other.cmp(&bits)) {
+            Ok(at) => known[at].1,
+            Err(at) => {
+                let found = Pair::at(a, b, time).separation();
+                known.insert(at, (bits, found));
+                found
+            }
+        }
     }
 }
 

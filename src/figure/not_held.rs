@@ -5,25 +5,26 @@ use crate::scene::{Drag, Grip, Scene, Spanned};
 use super::draw::Figure;
 use super::fault::{Fault, Problem};
 
-/// A note on each thing that a scene lets be dragged and no layer of its figure draws; none of what has left
-/// its panel.
+/// A note on each thing that a scene lets be dragged of a body of which the layers draw nothing that can be:
+/// where something of it is held, the rest may be meant for the numbers beside the picture.
 ///
 /// ```
 /// use tracefig::{figure::{draw, not_held, plan}, scene::{Source, read}};
 /// let text = r#"
 /// shapes.A = { kind = "box", half_extents = [1, 0.4], velocity = [1, 0.5] }
 /// query = { kind = "bounds", of = ["A"] }
-/// live = { drag = ["A", "A.velocity"] }
 /// "#;
-/// let scene = read(&Source::new("s.toml", text)).unwrap();
-/// let plan = plan(&scene).unwrap();
-/// let notes = not_held(&scene, &draw(&plan, plan.theme, "f"));
-/// assert_eq!(notes.len(), 1);
-/// assert!(notes[0].fault.to_string().contains("`A.velocity`"));
+/// let notes = |drag: &str| {
+///     let scene = read(&Source::new("s.toml", &format!("{text}\nlive.drag = {drag}"))).unwrap();
+///     let plan = plan(&scene).unwrap();
+///     not_held(&scene, &draw(&plan, plan.theme, "f"))
+/// };
+/// assert!(notes(r#"["A", "A.velocity"]"#).is_empty());
+/// assert!(notes(r#"["A.velocity"]"#)[0].fault.to_string().contains("`A.velocity`"));
 /// ```
 #[must_use]
 pub fn not_held(scene: &Scene, figure: &Figure) -> Vec<Problem> {
-    let is_held = |drag: &Drag| figure.handles.iter().any(|h| (h.body, h.grip) == (drag.body, drag.grip));
+    let is_held = |drag: &Drag| figure.handles.iter().any(|handle| handle.body == drag.body);
     let lacking = scene.live.drag.iter().flatten().filter(|drag| !is_held(&drag.value));
     lacking.filter_map(|drag| noted(scene, drag)).collect()
 }

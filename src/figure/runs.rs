@@ -5,13 +5,12 @@
 //!
 //! Behind an exercise's question stand no runs but those that build B ⊖ A: what nobody computes can't show.
 
-use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::collision::{
     ALGORITHMS, Algorithm, Answer, Impact, Outcome, Overlap, Query, QueryKind, Reason, Separation,
 };
-use crate::geometry::{Enclosure, Feature, Side};
+use crate::geometry::{Enclosure, Feature, Side, insert_in_order};
 use crate::scene::{Problem, Scene, Variant};
 use crate::trace::{Event, MOST_EVENTS, Trace, step};
 
@@ -44,7 +43,7 @@ pub(crate) struct Run {
     /// that comes what this one found.
     beside: Option<Cue>,
     /// Which of the events the figure shows, by their place in the trace.
-    shown: Mutex<BTreeSet<usize>>,
+    shown: Mutex<Vec<usize>>,
     /// How often the bodies are as near as at their closest, of a miss.
     pub(crate) often: Often,
 }
@@ -186,7 +185,7 @@ impl Run {
 
     /// Counts an event as shown.
     fn mark(&self, index: usize) {
-        self.shown.lock().unwrap_or_else(PoisonError::into_inner).insert(index);
+        insert_in_order(&mut self.shown.lock().unwrap_or_else(PoisonError::into_inner), index);
     }
 
     /// Whether it tells of such an event, which then counts as shown.

@@ -1,11 +1,10 @@
 //! The steps of a figure, counted: marks that came with an event get the number of the step that it ends.
 
-use std::collections::BTreeSet;
 use std::ops::Range;
 
 use crate::collision::{Answer, Outcome};
 use crate::drawing::{Group, Item, Path, Step, Text};
-use crate::geometry::sort_by;
+use crate::geometry::{insert_in_order, sort_by};
 use crate::scene::{NOTES, Scene, StepWords};
 use crate::trace::{Event, Hand, Voice, step};
 
@@ -48,7 +47,7 @@ pub(super) fn numbered(
     let voice = tongue::voice(scene, &called, Hand::Words);
     let mut cues = Vec::new();
     for scope in scopes {
-        let mut used = BTreeSet::new();
+        let mut used = Vec::new();
         items[scope.items.clone()].iter().for_each(|item| collect(item, &mut used));
         cues.extend(used.into_iter().filter_map(|number| scope.cue(number)));
     }
@@ -147,12 +146,12 @@ fn one(joined: &[Step], words: &StepWords) -> Step {
 }
 
 /// The numbers by which items come and go.
-pub(super) fn collect(item: &Item, used: &mut BTreeSet<usize>) {
+pub(super) fn collect(item: &Item, used: &mut Vec<usize>) {
     match item {
         Item::Group(Group { items, .. }) => items.iter().for_each(|item| collect(item, used)),
         Item::Path(Path { shown, .. }) | Item::Text(Text { shown, .. }) => {
-            used.insert(shown.since);
-            used.extend(shown.until);
+            insert_in_order(used, shown.since);
+            shown.until.into_iter().for_each(|until| insert_in_order(used, until));
         }
     }
 }

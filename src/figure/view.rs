@@ -48,8 +48,11 @@ pub(super) fn fit(
     panels: &mut [PanelPlan],
 ) -> Result<(Vec<Sketched>, Page), Problem> {
     let guesses: Vec<Extent> = panels.iter().map(|panel| first_guess(scene, panel)).collect();
-    let mut page = arrange(scene, layout, panels, &guesses);
-    let mut sketched = sketch(scene, runs, theme, panels)?;
+    let laid = |layout: &Layout, panels: &mut [PanelPlan], extents: &[Extent]| {
+        let page = arrange(scene, layout, panels, extents);
+        Ok((page, sketch(scene, runs, theme, panels)?))
+    };
+    let (mut page, mut sketched) = laid(layout, panels, &guesses)?;
     for pass in 0..MOST_PASSES {
         if pass >= PASSES && !panels.iter().zip(&sketched).any(is_cut) {
             break;
@@ -58,22 +61,23 @@ pub(super) fn fit(
         if extents.iter().all(Option::is_none) {
             break;
         }
-        page = arrange(scene, layout, panels, &extents);
-        sketched = sketch(scene, runs, theme, panels)?;
+        (page, sketched) = laid(layout, panels, &extents)?;
     }
     let reaches: Vec<Extent> = panels.iter().map(|panel| panel.reach).collect();
     if make_room(panels, &sketched) {
         // Side by side they would have half of the size and of the room that was made, and lack it again.
         let layout = &Layout { columns: Some(page.columns), ..*layout };
-        page = arrange(scene, layout, panels, &extents(panels, &sketched, &guesses));
-        sketched = sketch(scene, runs, theme, panels)?;
-        let higher =
-            panels.iter().zip(&reaches).zip(&sketched).filter(|((panel, was), _)| panel.reach != **was);
-        if higher.into_iter().all(|((panel, _), sketched)| panel.inset(sketched, None).is_none()) {
+        (page, sketched) = laid(layout, panels, &extents(panels, &sketched, &guesses))?;
+        let all = panels.iter().zip(&reaches).zip(&sketched);
+        let is_taken = |((panel, was), sketched): ((&PanelPlan, &Extent), &Sketched)| {
+            panel.reach != *was && panel.inset(sketched, None).is_some()
+        };
+        if !all.into_iter().any(is_taken) {
             // Room that nothing takes makes bodies small.
-            panels.iter_mut().zip(reaches).for_each(|(panel, was)| panel.reach = was);
-            page = arrange(scene, layout, panels, &extents(panels, &sketched, &guesses));
-            sketched = sketch(scene, runs, theme, panels)?;
+            for (panel, was) in panels.iter_mut().zip(reaches) {
+                panel.reach = was;
+            }
+            (page, sketched) = laid(layout, panels, &extents(panels, &sketched, &guesses))?;
         }
     }
     for (panel, sketched) in panels.iter_mut().zip(&sketched) {

@@ -5,8 +5,6 @@
 //! writes a value; another title of a panel without bodies comes with the first of its marks. The caption of
 //! the figure comes at once, or last where it writes a value.
 
-use std::collections::BTreeSet;
-
 use crate::drawing::Item;
 
 use super::plan::Plan;
@@ -25,7 +23,7 @@ pub(super) fn let_words_come(items: &mut [Item], scopes: &[Scope], plan: &Plan, 
     for (i, scope) in scopes.iter().enumerate() {
         let own = &mut items[scope.items.clone()];
         let is_words = |item: &Item| is(item, TITLE) || is(item, CAPTION);
-        let mut marks = BTreeSet::new();
+        let mut marks = Vec::new();
         own.iter().filter(|item| !is_words(item)).for_each(|item| collect(item, &mut marks));
         let Some(&last) = marks.last() else { continue };
         // Marks that are there from the start are what is given.
@@ -85,9 +83,9 @@ mod tests {
             let plan = plan(&scene).unwrap();
             let drawing = draw_in_steps(&plan, plan.theme, "s").drawing;
             let since = |items: &[Item], words: &str| {
-                let mut steps = BTreeSet::new();
+                let mut steps = Vec::new();
                 items.iter().filter(|item| is(item, words)).for_each(|item| collect(item, &mut steps));
-                steps.into_iter().collect::<Vec<_>>()
+                steps
             };
             let (whole, panels) = drawing.items.split_last().unwrap();
             let panel = [since(panels, TITLE), since(panels, CAPTION)];

@@ -25,7 +25,7 @@ pub(crate) use number::{
 };
 pub use rotation::Rotation;
 pub use shape::Shape;
-pub(crate) use sorting::{sort_by, sorted};
+pub(crate) use sorting::{insert_in_order, sort_by, sorted};
 pub use unit_vector::UnitVector;
 
 use serde::Serialize;

@@ -27,9 +27,23 @@ pub(crate) fn sorted(count: usize, compare: &dyn Fn(usize, usize) -> Ordering) -
     numbers
 }
 
+/// Puts a number among others in their order, where it is not there yet.
+pub(crate) fn insert_in_order(numbers: &mut Vec<usize>, number: usize) {
+    if let Err(at) = numbers.binary_search(&number) {
+        numbers.insert(at, number);
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::sort_by;
+    use super::*;
+
+    #[test]
+    fn numbers_stand_in_their_order_once_each() {
+        let mut all = Vec::new();
+        [5, 2, 9, 2, 0, 5].into_iter().for_each(|number| insert_in_order(&mut all, number));
+        assert_eq!(all, [0, 2, 5, 9]);
+    }
 
     #[test]
     fn items_are_sorted_as_the_standard_library_sorts_them() {

@@ -32,11 +32,6 @@ pub(super) fn read(query: &Checked<'_>, question: &Question, p: &mut Problems) -
     });
     let number = |key| table.number(key).map(|n| n.value);
     let (separation, time) = (number("separation"), number("time"));
-    if let Some(node) = table.get("time").filter(|_| question.when == When::AtAMoment) {
-        let message = format!("a `{}` has no time of contact that could be expected", question.word);
-        let help = "leave it out: the moment of the question is `time` in `[query]`".to_owned();
-        p.add(Fault::Conflict { message, help }, &node.span);
-    }
     Some(Expected { outcome: outcome(&table, question, p), separation, time, normal, points })
 }
 

@@ -151,7 +151,7 @@ pub(crate) const ROOMS: &[Row] = &[
         "figure/handle",
         &["geometry", "scene", "drawing", "figure/frame", "figure/language", "figure/playhead"],
     ),
-    ("figure/theme", &["drawing"]),
+    ("figure/theme", &["geometry", "drawing"]),
     ("figure/page", &["scene", "drawing", "figure/theme"]),
     ("figure/lettering", &["typeset", "drawing", "figure/theme"]),
     ("figure/cue", &[]),

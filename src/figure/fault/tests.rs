@@ -31,8 +31,12 @@ fn notes() -> Vec<(Fault, &'static str, &'static str)> {
             "",
         ),
         (
-            Fault::NoStepLeft { count: 3 },
             Fault::NotHeld { what: "A.velocity".to_owned() },
+            "no layer draws `A.velocity`, so that nobody can drag it",
+            "a page has its numbers all the same",
+        ),
+        (
+            Fault::NoStepLeft { count: 3 },
             "no step is left for these words: the figure has 3",
             "`until` counts the figure's own steps, from 1",
         ),

@@ -118,7 +118,7 @@ fn among(
 ) -> Option<Inset> {
     let (frame, cell) = (&sketched.frame, &sketched.free);
     let [wide, high] = shares(cell);
-    let shares = wide.iter().flat_map(|wide| high.iter().map(|high| [*wide, *high]));
+    let shares = wide.iter().flat_map(|wide| high.map(|high| [*wide, high]));
     let most = most(sketched, found);
     let sizes = shares.filter_map(|share| {
         let found = sized(cell, (&found.rect, most), share);
@@ -158,13 +158,14 @@ fn most(sketched: &Sketched, detail: &Detail) -> f64 {
     FARTHEST / sketched.obstacles.iter().map(|obstacle| far(&obstacle.cover)).fold(1.0, f64::max)
 }
 
-/// The shares of its panel's width and height that an inset may take: of a narrow or low panel one more, by
+/// The shares of its panel's width and height that an inset may take: of a narrow or low panel also that by
 /// which it is as large as it must be.
-fn shares(cell: &Rect) -> [Vec<f64>; 2] {
+fn shares(cell: &Rect) -> [[f64; 5]; 2] {
     [(cell.width(), SMALLEST[0]), (cell.height(), SMALLEST[1])].map(|(room, smallest)| {
+        let [first, second, third, last] = SHARES;
         let least = (smallest + NEARLY) / room;
-        let is_needed = SHARES[0] < least && least <= MOST_SHARE;
-        SHARES.into_iter().chain(is_needed.then_some(least)).collect()
+        let more = if first < least && least <= MOST_SHARE { least } else { last };
+        [first, second, third, last, more]
     })
 }
 

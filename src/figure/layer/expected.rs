@@ -102,7 +102,10 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
 
 /// The bodies at the time expected, where they are elsewhere then; whether any is.
 fn bodies(sketch: &mut Sketch, context: &Context, options: &Options, theirs: &Expected) -> bool {
-    let Some(time) = theirs.time.filter(|time| (0.0..=1.0).contains(time)) else { return false };
+    // Where a question is about one moment, a time that a log has beside it is no answer.
+    let is_asked = context.asks_for_a_hit();
+    let time = theirs.time.filter(|time| is_asked && (0.0..=1.0).contains(time));
+    let Some(time) = time else { return false };
     let mut shown = false;
     let mut separation = separation_in_words(theirs);
     for side in context.sides() {

@@ -64,6 +64,7 @@ mod shadow;
 mod shapes;
 mod simplex;
 mod spin;
+mod step_lengths;
 mod step_numbers;
 mod support;
 mod sweep;

@@ -22,13 +22,10 @@ use super::closest::{WayOut, longer, longer_way, unseen};
 use super::depth_disc::{disc, disc_place};
 use super::difference::difference;
 use super::{Fed, LabelKey, Layer, OptionSpec, Options, STEPS, Shows, Takes, Tells, tied};
-use super::{graph, moment};
+use super::{moment, step_lengths};
 
-/// At how many steps the separation is drawn; the later ones are a blur at the contact.
-const MOST: usize = 5;
-
-/// The least length of a step's separation that is named, page pixels; shorter ones blur at the contact.
-const NAMED: f64 = 10.0;
+/// A length that is no line on the page, page pixels.
+const NOTHING: f64 = 0.5;
 
 /// How far the longer push is drawn beside the shortest one where both are on one line, page pixels: a head's
 /// width and as much between.
@@ -159,24 +156,9 @@ fn is_of_steps(options: &Options) -> bool {
     options.word("at", "") == STEPS
 }
 
-/// Draws the distance at each of the first steps, numbered as the layer "graph" does.
-fn steps(sketch: &mut Sketch, context: &Context, options: &Options) {
-    let role = options.role(Role::Translation);
-    for (k, &time) in (1..=MOST).zip(&context.steps()) {
-        let Some(answer) = context.separation_seen(time) else { continue };
-        let [p, q] = answer.points;
-        sketch.since(graph::looked(context, k)).part("separation");
-        sketch.dimension(p, q, 0.0, Pen::dimension(role).width(1.5));
-        if sketch.on_page(p.distance(q)) >= sketch.fitted(NAMED) {
-            let anchor = Anchor::middle(p, q);
-            sketch.label(Label::new("s_k", format!("$s_{{{k}}}$"), anchor, role));
-        }
-    }
-}
-
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     if is_of_steps(options) {
-        return steps(sketch, context, options);
+        return step_lengths::draw(sketch, context, options);
     }
     let Some(run) = found(context, options) else { return };
     let Some(answer) = context.separation_seen(run.time) else { return };
@@ -232,13 +214,15 @@ fn touches(answer: &Separation) -> bool {
     answer.bounds.lo <= 0.0 && answer.bounds.hi >= 0.0
 }
 
-/// Marks the closest points, if the scene wants them; where bodies touch in any case.
+/// Marks the closest points, if the scene wants them; in any case where bodies touch, or no line is seen
+/// between them.
 fn points(sketch: &mut Sketch, options: &Options, answer: &Separation) {
     let [p, q] = answer.points;
-    if touches(answer) {
+    let is_asked = options.flag("points", false);
+    if touches(answer) || !is_asked && sketch.on_page(p.distance(q)) < NOTHING {
         // Where bodies touch both are one point, and nothing else is seen of a distance of 0.
         sketch.part("closest-points").marker(p, Marker::Disc, options.role(Role::Translation), MARKER);
-    } else if options.flag("points", false) {
+    } else if is_asked {
         sketch.part("closest-points").marker(p, Marker::Disc, Side::A.into(), MARKER);
         sketch.part("closest-points").marker(q, Marker::Square, Side::B.into(), MARKER);
     }

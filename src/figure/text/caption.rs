@@ -303,7 +303,7 @@ pub(crate) fn named(names: [Name; 2], say: impl FnOnce([&str; 2]) -> String) -> 
     });
     let text = as_markup(&say([&marks[0], &marks[1]]));
     let stand = names.iter().zip(&marks).filter(|(_, mark)| !mark.is_empty());
-    stand.fold(text, |text, (name, mark)| text.replace(mark, &name.primed(0)))
+    stand.fold(text, |text, (name, mark)| text.replace(mark.as_str(), &name.primed(0)))
 }
 
 /// What stands before a power of ten.

@@ -15,6 +15,7 @@ use palette::white_point::D65;
 use palette::{Lab, LinSrgb, Srgb};
 
 use crate::drawing::Color;
+use crate::geometry::sort_by;
 
 use super::contrast::{contrast, linear};
 
@@ -74,7 +75,7 @@ pub(super) fn nearest(color: Color, passes: impl Fn(Color) -> bool) -> Option<Co
         .filter(|to| (0.0..=100.0).contains(&to.l))
         .map(|to| (cost(from, to), to))
         .collect();
-    lattice.sort_by(|(p, _), (q, _)| p.total_cmp(q));
+    sort_by(&mut lattice, |(p, _), (q, _)| p.total_cmp(q));
     let (found, at) =
         lattice.into_iter().find_map(|(_, to)| Some((shown(to).filter(|&c| passes(c))?, to)))?;
     Some(nearer(from, at, found, passes))
