@@ -5,7 +5,7 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, Pen, Sketch, left_of};
 use crate::geometry::DVec2;
 
-use super::{Options, graph};
+use super::{Options, graph, separation};
 
 /// At how many steps the separation is drawn; the later ones are a blur at the contact.
 const MOST: usize = 5;
@@ -26,7 +26,7 @@ pub(super) fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let [p, q] = answer.points;
         let covered = drawn.iter().filter(|(other, _)| runs_along(sketch, answer.points, *other));
         let offset = covered.map(|(_, offset)| offset + BESIDE).fold(0.0, f64::max);
-        sketch.since(graph::looked(context, k)).part("separation");
+        sketch.since(graph::looked(context, k)).part(separation::LAYER.name);
         sketch.dimension(p, q, offset, Pen::dimension(role).width(1.5));
         if sketch.on_page(p.distance(q)) >= sketch.fitted(NAMED) {
             let aside = left_of(p, q) * sketch.px(offset);
