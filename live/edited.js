@@ -86,11 +86,15 @@ class Edited {
         });
     }
 
-    // Has the next drawing show a step. On paper an earlier one has its words.
+    // Has the next drawing show a step.
     showStep(step, stepping) {
         [this.step, this.stepping] = [step, stepping];
-        this.root.toggleAttribute("data-at-step", step !== WHOLE);
         this.engine.x.tf_step(step);
+    }
+
+    // Whether an earlier step than the last is shown.
+    get isAtStep() {
+        return this.step < (this.info.steps?.length ?? 0);
     }
 
     async copy() {
@@ -158,7 +162,7 @@ class Edited {
         if (!this.alone) return;
         const part = ({ paths: [path], value }) => `${addressOf(path)}=${[value].flat().join(",")}`;
         const parts = [...this.edits.values()].map(part);
-        if (this.step !== WHOLE) parts.push(`${STEP}=${this.step}`);
+        if (this.isAtStep) parts.push(`${STEP}=${this.step}`);
         history.replaceState(null, "", `#${parts.join("&")}`);
     }
 
@@ -188,11 +192,6 @@ class Edited {
     takeAddress() {
         const parts = this.alone ? location.hash.slice(1).split("&").filter(Boolean) : [];
         const said = new Map(parts.map((part) => part.split("=")));
-        const step = Math.trunc(said.get(STEP));
-        const isShown = this.count && step > 0 && step < this.info.steps.length;
-        if (isShown || this.step !== WHOLE) {
-            this.showStep(isShown ? step : WHOLE, Boolean(isShown));
-        }
         const isKnown = this.info.handles.some(({ grip }) => grip === "time");
         const clock = isKnown || !this.clock ? [] : [this.clock];
         const asked = [];
@@ -206,6 +205,10 @@ class Edited {
             // What an address says is set or not, as what is typed.
             for (const [handle, value] of asked) this.attempt(handle, value, 0);
         }
+        // How many steps there are depends on what was moved.
+        const step = Math.trunc(said.get(STEP));
+        const isShown = Boolean(this.count) && step > 0 && step < this.info.steps.length;
+        if (isShown || this.step !== WHOLE) this.showStep(isShown ? step : WHOLE, isShown);
         if (parts.length > 0) this.settleNow();
     }
 }

@@ -257,6 +257,7 @@ class Figure extends Edited {
             this.count.textContent = this.word("step", now, last);
             this.before.setAttribute("aria-disabled", now <= 1);
             this.after.setAttribute("aria-disabled", now >= last);
+            this.root.toggleAttribute("data-at-step", this.isAtStep); // On paper it has its words.
         }
     }
 

@@ -51,8 +51,8 @@ const tidy = (value, handle) => snapped(value, grid(handle));
 const short = (value, handle) =>
     handle.pull ? tidy(value, handle) : each(value, (v) => Number(v.toPrecision(4)));
 
-// A value where a handle can be; at an end of that it has no more digits than elsewhere, and is a step of those
-// to which it snaps. A time ends at the first contact, and not short of it.
+// A value where a handle can be; at an end of that it has no more digits than elsewhere, and is one of those
+// that it snaps to. A time ends at the first contact, and not short of it.
 function within(value, handle, step) {
     let [lo, hi] = handle.range;
     if (handle.grip !== "time") {

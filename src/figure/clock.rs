@@ -8,7 +8,7 @@ use crate::typeset::{Line, Style, typeset};
 
 use super::lettering::lettered;
 use super::placement::Labelled;
-use super::text::Decimal;
+use super::text::{Decimal, exponent};
 use super::theme::Theme;
 
 /// How far the clock stands from the edges of its panel, page pixels.
@@ -23,11 +23,13 @@ const CORNERS: [(bool, bool); 4] = [(true, true), (true, false), (false, true), 
 pub(super) struct Clock(Arc<Line>);
 
 impl Clock {
-    /// A time in letters of a size, with the sign that is decimal in a scene; `None` where it can't be set.
-    pub(super) fn of(time: f64, size: f64, decimal: Decimal) -> Option<Self> {
-        // Two digits, so that it does not jump.
-        let hundredths = (100.0 * time).round() / 100.0;
-        let markup = decimal.in_number(format!("$t = {hundredths:.2}$"));
+    /// A time on the way to the last one in letters of a size, with the sign that is decimal in a scene;
+    /// `None` where it can't be set.
+    pub(super) fn of([time, last]: [f64; 2], size: f64, decimal: Decimal) -> Option<Self> {
+        // As many digits all the way, so that it does not jump: two, or of a short way three of its end.
+        let first = exponent(last);
+        let places = usize::try_from(-first).ok().filter(|first| *first > 1).map_or(2, |first| first + 2);
+        let markup = decimal.in_number(format!("$t = {time:.places$}$"));
         let line = typeset(&markup, Style::regular(size)).ok()?;
         Some(Self(Arc::new(line)))
     }
@@ -81,7 +83,7 @@ mod tests {
             let scene = open_text("s", &text).unwrap().scene;
             let plan = plan(&scene).unwrap();
             let figure = draw(&plan, plan.theme, "f");
-            let clock = Clock::of(0.25, 14.0, Decimal::Point).unwrap();
+            let clock = Clock::of([0.25, 1.0], 14.0, Decimal::Point).unwrap();
             corner(&[(&figure.panels[0], &figure.insets, &clock)])
         };
         assert_eq!(corner_of("'origin'"), (true, true), "lower right");

@@ -23,12 +23,14 @@ fn moment_title(scene: &Scene, panel: &Panel, moment: Moment) -> Option<String> 
     if scene.panels.iter().any(|panel| panel.title.is_some() || panel.caption.is_some()) {
         return None;
     }
-    // "start" and 0 are one moment, and what no panel says.
+    // "start" and 0 are one moment. So is what no panel says, unless it follows a clock.
+    let mut bodies = scene.query.of.iter().filter_map(|&i| scene.shapes.get(i));
+    let may_play = bodies.any(|(_, body)| body.moves());
     let when = |panel: &Panel| match panel.when.as_ref().map(|when| when.value) {
-        None => When::Time(scene.query.time),
-        Some(When::Start) => When::Time(0.0),
-        Some(When::End) => When::Time(1.0),
-        Some(when) => when,
+        None if !may_play => Some(When::Time(scene.query.time)),
+        Some(When::Start) => Some(When::Time(0.0)),
+        Some(When::End) => Some(When::Time(1.0)),
+        when => when,
     };
     let mut others = scene.panels.iter().filter(|other| other.space == panel.space);
     others.find(|other| when(other) != when(panel))?;
@@ -71,7 +73,8 @@ mod tests {
         let elsewhere = "[[panels]]\nspace = 'configuration'\ntime = 0.25\nlayers = ['origin']\n".to_owned();
         assert_eq!(titled(&[at("time = 'start'"), elsewhere].concat()), ["", ""]);
         assert_eq!(titled(&[at("time = 0.25"), at("time = 0.25")].concat()), ["", ""]);
-        assert_eq!(titled(&[at(""), at("time = 'start'"), at("time = 0")].concat()), ["", "", ""]);
+        assert_eq!(titled(&[at("time = 'start'"), at("time = 0")].concat()), ["", ""]);
+        assert_eq!(titled(&[at(""), at("time = 'start'")].concat()), ["$t = 0$", "$t = 0$"], "one may play");
         assert_eq!(titled(&[at("time = 'end'"), at("time = 1")].concat()), ["", ""]);
         assert_eq!(titled(&[at("time = 0.25\ntitle = 'Now'"), at("time = 'hit'")].concat()), ["Now", ""]);
         assert_eq!(titled(&[at("time = 0.25\ncaption = 'Now'"), at("time = 'hit'")].concat()), ["", ""]);

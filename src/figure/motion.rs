@@ -72,10 +72,10 @@ fn at<'s>(still: &Plan<'s>, played: &Played, time: f64) -> Result<(Plan<'s>, Vec
     if problems.is_empty() { Ok((plan, sketched)) } else { Err(problems) }
 }
 
-/// The caption of a figure on its way: the answer is told where the motion has come to it.
+/// The caption of a figure on its way: the answer is told where it is seen.
 fn told_by(time: f64, still: &Plan, played: &Played) -> Across {
-    let told = Some(&still.caption).filter(|caption| !caption.is_answer || time >= played.end());
-    told.cloned().unwrap_or_default()
+    let is_there = |caption: &&Across| !caption.is_answer || played.tells_answer(still, time);
+    Some(&still.caption).filter(is_there).cloned().unwrap_or_default()
 }
 
 /// A problem of the scene as a list.
@@ -130,7 +130,7 @@ pub fn draw_in_motion(plan: &Plan, theme: &Theme, id: &str, count: usize) -> Res
         let before = way.last().map_or(&finished, |before| &before.figure);
         let figure = draw_after(&plan, theme, id, Some(before));
         let size = plan.layout.measures.caption_size();
-        let clock = |&(i, _): &(usize, _)| Clock::of(plan.panels[i].moment.time, size, decimal);
+        let clock = |&(i, _): &(usize, _)| Clock::of([plan.panels[i].moment.time, end], size, decimal);
         let clocks = played.0.iter().map(clock).collect();
         way.push(OnTheWay { figure, clocks, rests: k == parts });
     }

@@ -6,7 +6,7 @@
 //! hit, the closest approach or the end of the motion. All other panels stand still, and graphs over time,
 //! which show all moments.
 
-use crate::collision::{Answer, Outcome};
+use crate::collision::{Answer, Impact, Outcome};
 use crate::geometry::{Body, DVec2};
 use crate::scene::{Scene, Space, When};
 use crate::trace::Event;
@@ -51,6 +51,15 @@ impl Played {
     /// The last moment.
     pub(super) fn end(&self) -> f64 {
         self.0.iter().map(|(_, time)| *time).fold(0.0, f64::max)
+    }
+
+    /// Whether a figure tells its answer at a time: where the motion has come to it, and that bodies overlap
+    /// from the start while they stand there.
+    pub(super) fn tells_answer(&self, plan: &Plan, time: f64) -> bool {
+        match &plan.own_run().answer {
+            Answer::Impact(Impact { outcome: Outcome::Overlapping { .. }, .. }) => time <= 0.0,
+            _ => time >= self.end(),
+        }
     }
 
     /// Whether the figure shows all of them where they arrive.

@@ -250,8 +250,7 @@ impl Runs {
         Some(self.run(scene, algorithm, &query))
     }
 
-    /// The separation at a moment by an algorithm that tells the edges of B ⊖ A; whether bodies overlap, where
-    /// the scene asks for that and its algorithm looks at all of them.
+    /// A run at a moment that tells all edges of B ⊖ A: of the scene's own overlap, else of a separation.
     pub(crate) fn difference(&self, scene: &Scene, time: f64) -> Option<Arc<Run>> {
         let query = Query { kind: QueryKind::Separation, ..scene.query_at(time) };
         query.b?;
@@ -260,11 +259,9 @@ impl Runs {
         let asks = scene.query.kind == QueryKind::Overlap && !self.is_blind;
         let own = asks.then(|| self.own(scene, time)).filter(|run| tells(run) && !stops(run));
         let of_another = || {
-            std::iter::once(scene.query.algorithm)
-                .chain(ALGORITHMS)
-                .filter(|a| a.takes(&query))
-                .map(|a| self.run(scene, a, &query))
-                .find(tells)
+            let mut all =
+                std::iter::once(scene.query.algorithm).chain(ALGORITHMS).filter(|a| a.takes(&query));
+            all.find_map(|a| Some(self.run(scene, a, &query)).filter(tells))
         };
         own.or_else(of_another)
     }

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::collision::{Answer, Outcome};
+use crate::collision::Answer;
 use crate::drawing::{Group, Item, Path, Step, Text};
 use crate::geometry::{insert_in_order, sort_by};
 use crate::scene::{NOTES, Scene, StepWords};
@@ -11,7 +11,7 @@ use crate::trace::{Event, Hand, Voice, step};
 use super::cue::Cue;
 use super::fault::{Fault, Problem};
 use super::runs::{Run, Runs};
-use super::told_cue::{Told, result};
+use super::told_cue::{Told, result, said_again};
 use super::{asked, tongue};
 
 /// Items of a page that share their cues: a panel, its title and its caption.
@@ -175,18 +175,6 @@ fn untold(of: (&Scene, Voice), runs: &[std::sync::Arc<Run>], cues: &[Cue]) -> Op
     (!is_told).then(|| result(of, runs, own))
 }
 
-/// What the separation of bodies that overlap from the start came to, which their own result says, too.
-fn said_again(of: (&Scene, Voice), runs: &[std::sync::Arc<Run>]) -> Option<String> {
-    let overlaps = |run: &Run| match &run.answer {
-        Answer::Impact(impact) => matches!(impact.outcome, Outcome::Overlapping { .. }),
-        _ => false,
-    };
-    runs.iter().find(|run| run.is_own() && overlaps(run))?;
-    let at_start =
-        |run: &&std::sync::Arc<Run>| !run.is_own() && run.time == 0.0 && run.separation().is_some();
-    runs.iter().find(at_start).map(|run| result(of, runs, run))
-}
-
 #[cfg(test)]
 mod tests {
     use crate::figure::{draw, draw_in_steps, plan};
@@ -215,7 +203,7 @@ mod tests {
     #[test]
     fn a_result_is_said_once_and_of_what_has_a_place() {
         let all = said(
-            "shapes.A = { kind = 'box', half_extents = [1, 0.5], velocity = [1, 0], angular_velocity_deg = 40 }
+            "shapes.A = { kind = 'box', half_extents = [1, 1], velocity = [1, 0], angular_velocity_deg = 40 }
              shapes.B = { kind = 'box', half_extents = [0.5, 0.5], position = [1.2, 0.2] }
              query = { kind = 'time-of-impact', of = ['A', 'B'], algorithm = 'conservative-advancement' }",
         );

@@ -3,7 +3,7 @@
 use std::mem::Discriminant;
 use std::sync::Arc;
 
-use crate::collision::Answer;
+use crate::collision::{Answer, Outcome};
 use crate::scene::Scene;
 use crate::trace::{Event, Voice, growth, so_far, step, taken, told};
 
@@ -51,7 +51,10 @@ impl Told {
                 if is_whole(&cue) && run.events().any(tells_edge) =>
             {
                 let edges = run.events().filter(|event| tells_edge(event)).count();
-                let whole = step::sentence_of_difference(edges, is_given, voice);
+                // One that looks at its edges, and stops before the last, has a use for it.
+                let looks = |run: &Arc<Run>| run.is_own() && run.events().any(tells_difference);
+                let is_unbuilt = is_given && !runs.iter().any(looks);
+                let whole = step::sentence_of_difference(edges, is_unbuilt, voice);
                 let round = run.events().find(|event| matches!(event, Event::DifferenceRounded { .. }));
                 let round = round.map(|event| step::sentence_of_part(event, cue.part, voice));
                 tell(voice.difference(), together([Some(whole), round].into_iter().flatten()))
@@ -123,7 +126,7 @@ fn end_of_advancement(run: &Run, all: &[Cue], voice: Voice) -> Option<String> {
     let end = step::end_of_advancement(event, impact.tolerance, voice)?;
     // "That" is how far apart they are then.
     let apart = last.part(step::advanced::APART);
-    let said = (!all.contains(&apart)).then(|| step::sentence_of_part(event, apart.part, voice));
+    let said = if all.contains(&apart) { None } else { advanced((run, event), (apart, all), voice) };
     Some(together(said.into_iter().chain([end])))
 }
 
@@ -133,6 +136,23 @@ pub(super) fn result((scene, voice): (&Scene, Voice), runs: &[Arc<Run>], run: &R
     let other = runs.iter().find(beside).map(Arc::as_ref);
     let told = Account::beside(scene, run, other);
     if run.is_own() { told.sentence_and_off(voice.names) } else { told.sentence_of_bodies(voice.names) }
+}
+
+/// What the result of a motion says, too: how deep bodies overlap at the start, how near a miss comes.
+pub(super) fn said_again(of: (&Scene, Voice), runs: &[Arc<Run>]) -> Option<String> {
+    let own = runs.iter().find(|run| run.is_own())?;
+    let Answer::Impact(impact) = &own.answer else { return None };
+    match impact.outcome {
+        Outcome::Overlapping { .. } => {
+            let mut others = runs.iter().filter(|run| !run.is_own() && run.time == 0.0);
+            others.find(|run| run.separation().is_some()).map(|run| result(of, runs, run))
+        }
+        Outcome::Miss => {
+            let is_closest = |event: &&Event| matches!(event, Event::ClosestApproachFound { .. });
+            own.events().find(is_closest).map(|event| step::sentence_of_part(event, 0, of.1))
+        }
+        Outcome::Hit { .. } | Outcome::Unresolved { .. } => None,
+    }
 }
 
 /// Whether a mark of the figure comes with an event.

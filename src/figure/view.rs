@@ -63,21 +63,21 @@ pub(super) fn fit(
         }
         (page, sketched) = laid(layout, panels, &extents)?;
     }
-    let reaches: Vec<Extent> = panels.iter().map(|panel| panel.reach).collect();
+    let before: Vec<(Extent, Frame)> = panels.iter().map(|panel| (panel.reach, panel.frame)).collect();
     if make_room(panels, &sketched) {
         // Side by side they would have half of the size and of the room that was made, and lack it again.
         let layout = &Layout { columns: Some(page.columns), ..*layout };
-        (page, sketched) = laid(layout, panels, &extents(panels, &sketched, &guesses))?;
-        let all = panels.iter().zip(&reaches).zip(&sketched);
-        let is_taken = |((panel, was), sketched): ((&PanelPlan, &Extent), &Sketched)| {
-            panel.reach != *was && panel.inset(sketched, None).is_some()
+        let (higher, found) = laid(layout, panels, &extents(panels, &sketched, &guesses))?;
+        let is_taken = |((panel, was), sketched): ((&PanelPlan, &(Extent, Frame)), &Sketched)| {
+            panel.reach != was.0 && panel.inset(sketched, None).is_some()
         };
-        if !all.into_iter().any(is_taken) {
+        if panels.iter().zip(&before).zip(&found).any(is_taken) {
+            (page, sketched) = (higher, found);
+        } else {
             // Room that nothing takes makes bodies small.
-            for (panel, was) in panels.iter_mut().zip(reaches) {
-                panel.reach = was;
+            for (panel, was) in panels.iter_mut().zip(before) {
+                (panel.reach, panel.frame) = was;
             }
-            (page, sketched) = laid(layout, panels, &extents(panels, &sketched, &guesses))?;
         }
     }
     for (panel, sketched) in panels.iter_mut().zip(&sketched) {

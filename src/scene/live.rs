@@ -6,7 +6,7 @@ use crate::geometry::Body;
 use crate::geometry::shape::{KINDS, VertexKey};
 
 use super::Spanned;
-use super::body;
+use super::body::{self, with_article};
 use super::checked::{Checked, as_list, as_text, check};
 use super::fields::LIVE;
 use super::problem::{Fault, Problems};
@@ -158,7 +158,7 @@ fn no_such_thing(got: &str, bodies: &[body::Read]) -> Fault {
             let own = |word: &&String| word.strip_prefix(name).is_some_and(|end| end.starts_with('.'));
             let own: Vec<String> = known.iter().filter(own).map(|word| format!("`{word}`")).collect();
             Fault::Conflict {
-                message: format!("a `{}` has no {part} that could be dragged", body.shape.kind),
+                message: format!("{} has no {part} that could be dragged", with_article(body.shape.kind)),
                 help: format!("drag `{name}`, or of it {}", own.join(", ")),
             }
         }

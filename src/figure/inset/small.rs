@@ -164,7 +164,7 @@ fn shares(cell: &Rect) -> [[f64; 5]; 2] {
     [(cell.width(), SMALLEST[0]), (cell.height(), SMALLEST[1])].map(|(room, smallest)| {
         let [first, second, third, last] = SHARES;
         let least = (smallest + NEARLY) / room;
-        let more = if first < least && least <= MOST_SHARE { least } else { last };
+        let more = if first < least && least <= MOST_SHARE { least } else { 0.0 };
         [first, second, third, last, more]
     })
 }

@@ -114,6 +114,9 @@ pub(super) const LAYER: Layer = Layer {
     draw,
 };
 
+/// How far the axis of separation reaches above that of time at least, as a part of what is below that.
+const ABOVE: f64 = 0.2;
+
 /// A step of the advancement.
 #[derive(Clone, Copy)]
 struct Step {
@@ -153,13 +156,11 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     }
     let (until, points) = curve(context, &all);
     let points = kinks::kept(context, &points);
-    let highest = points.iter().map(|p| p.y).fold(all[0].separation, f64::max).max(0.0);
-    // Bodies that overlap at the start have their depth below the axis.
-    let least = if all[0].separation < 0.0 {
-        points.iter().map(|p| p.y).fold(all[0].separation, f64::min)
-    } else {
-        0.0
-    };
+    // Bodies that touch or overlap at the start have depths below the axis.
+    let is_at_start = context.hit_time().is_some_and(|time| time.lo <= 0.0);
+    let depths = points.iter().filter(|_| is_at_start).map(|p| p.y);
+    let least = depths.fold(all[0].separation.min(0.0), f64::min);
+    let highest = points.iter().map(|p| p.y).fold(all[0].separation, f64::max).max(-ABOVE * least);
     let values = options.flag("values", false);
     let [left, right, below, above] = ROOM;
     let [right, below] = if values { [right + VALUE_ASIDE, below + VALUE_ROOM] } else { [right, below] };
@@ -170,6 +171,9 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         None => Chart::new(sketch, context, room, (least, most)),
     };
     chart.axes(sketch, [("t", "$t$"), ("s", "$s$")]);
+    if least < 0.0 {
+        sketch.part("axis").line(chart.place(0.0, least), chart.place(0.0, 0.0), Pen::axis());
+    }
     if options.flag("lines", true) {
         worst(sketch, (context, &chart), &all, values);
     }

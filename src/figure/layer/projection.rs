@@ -122,11 +122,12 @@ fn widest(context: &Context, all: &[Tested]) -> Option<Tested> {
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let Some(t) = tested(context, options) else { return };
-    sketch.since(context.cue(|event| match *event {
+    let tested = |event: &Event| match *event {
         Event::AxisTested { axis, source, .. } => (axis, source) == (t.n, t.source),
-        Event::SeparatingAxisFound { normal, .. } => normal == t.n,
         _ => false,
-    }));
+    };
+    let found = |event: &Event| matches!(event, Event::SeparatingAxisFound { .. });
+    sketch.since(context.cue(tested).or_else(|| context.cue(found)));
     draw_axis(sketch, (context, options), &t);
     if options.number("axis").is_some() {
         return;

@@ -158,7 +158,7 @@ fn is_of_steps(options: &Options) -> bool {
 
 fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     if is_of_steps(options) {
-        return step_lengths::draw(sketch, context, options);
+        return step_lengths::draw(sketch, context, options, LAYER.name);
     }
     let Some(run) = found(context, options) else { return };
     let Some(answer) = context.separation_seen(run.time) else { return };
@@ -192,11 +192,12 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     if options.flag("rival", false) && answer.bounds.hi < 0.0 {
         rival(sketch.since(run.end()), context, &run, &answer);
     }
-    points(sketch.since(run.nearest()), options, &answer);
+    let is_touching = touches(context, &run, &answer);
+    points(sketch.since(run.nearest()), options, &answer, is_touching);
     let (key, text) = words(context, &run, &answer);
     let text = asked_distance(context, &answer).unwrap_or(text);
     // On the outer side of a line that is moved aside; a long text on a short arrow beyond one of its ends.
-    let anchor = if touches(&answer) { Anchor::point(p) } else { Anchor::Beside { from: q, to: p, offset } };
+    let anchor = if is_touching { Anchor::point(p) } else { Anchor::Beside { from: q, to: p, offset } };
     // That of concentric circles every way is as long is plain to see, where there is little room.
     let ties = tied(answer.ties).filter(|_| answer.bounds.hi < 0.0 && answer.ties > 0);
     let then = moment::other(context, run.time);
@@ -209,17 +210,18 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     });
 }
 
-/// Whether bodies are not apart and do not overlap, for all that is known.
-fn touches(answer: &Separation) -> bool {
-    answer.bounds.lo <= 0.0 && answer.bounds.hi >= 0.0
+/// Whether bodies are not apart and do not overlap, as far as the rounding of their numbers tells.
+fn touches(context: &Context, run: &Run, answer: &Separation) -> bool {
+    let rounding = context.scene.query_at(run.time).rounding();
+    answer.separation.abs() <= rounding || answer.bounds.lo <= 0.0 && answer.bounds.hi >= 0.0
 }
 
 /// Marks the closest points, if the scene wants them; in any case where bodies touch, or no line is seen
 /// between them.
-fn points(sketch: &mut Sketch, options: &Options, answer: &Separation) {
+fn points(sketch: &mut Sketch, options: &Options, answer: &Separation, is_touching: bool) {
     let [p, q] = answer.points;
     let is_asked = options.flag("points", false);
-    if touches(answer) || !is_asked && sketch.on_page(p.distance(q)) < NOTHING {
+    if is_touching || !is_asked && sketch.on_page(p.distance(q)) < NOTHING {
         // Where bodies touch both are one point, and nothing else is seen of a distance of 0.
         sketch.part("closest-points").marker(p, Marker::Disc, options.role(Role::Translation), MARKER);
     } else if is_asked {

@@ -5,7 +5,7 @@ use crate::figure::context::Context;
 use crate::figure::sketch::{Anchor, Label, Pen, Sketch, left_of};
 use crate::geometry::DVec2;
 
-use super::{Options, graph, separation};
+use super::{Options, graph};
 
 /// At how many steps the separation is drawn; the later ones are a blur at the contact.
 const MOST: usize = 5;
@@ -16,8 +16,8 @@ const BESIDE: f64 = 10.0;
 /// The least length of a step's separation that is named, page pixels; shorter ones blur at the contact.
 const NAMED: f64 = 10.0;
 
-/// Draws the distance at each of the first steps, numbered as the layer "graph" does.
-pub(super) fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
+/// Draws the distance at each of the first steps, numbered as the layer "graph" does, as a part of a layer.
+pub(super) fn draw(sketch: &mut Sketch, context: &Context, options: &Options, part: &'static str) {
     let role = options.role(Role::Translation);
     // Of bodies that come straight on each length lies in the one before: beside each other all are seen.
     let mut drawn: Vec<([DVec2; 2], f64)> = Vec::new();
@@ -26,7 +26,7 @@ pub(super) fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let [p, q] = answer.points;
         let covered = drawn.iter().filter(|(other, _)| runs_along(sketch, answer.points, *other));
         let offset = covered.map(|(_, offset)| offset + BESIDE).fold(0.0, f64::max);
-        sketch.since(graph::looked(context, k)).part(separation::LAYER.name);
+        sketch.since(graph::looked(context, k)).part(part);
         sketch.dimension(p, q, offset, Pen::dimension(role).width(1.5));
         if sketch.on_page(p.distance(q)) >= sketch.fitted(NAMED) {
             let aside = left_of(p, q) * sketch.px(offset);

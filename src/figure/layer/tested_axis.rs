@@ -44,8 +44,8 @@ pub(super) fn told(event: &Event) -> Option<Tested> {
     }
 }
 
-/// The axis that ended a search among the edges of B ⊖ A, which tests none: the normal of the edge that it had
-/// found last.
+/// The axis that ended a search among the edges of B ⊖ A, which tests none: the normal of the edge that it
+/// had found last.
 pub(super) fn stopped_at(context: &Context) -> Option<Tested> {
     let mut last = None;
     let (n, gap) = context.run().find_told(|event| match *event {

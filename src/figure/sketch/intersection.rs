@@ -11,9 +11,9 @@ use crate::geometry::{DVec2, sort_by};
 
 use super::{Outline, Piece, angle_of, on_circle};
 
-/// The most pairs of pieces of two outlines that are looked at: as many as the largest shapes of a scene have,
-/// and more.
-const MOST_PAIRS: usize = 1 << 25;
+/// The most pairs of pieces of two outlines that are looked at: as many as the largest shapes of a scene have
+/// that are rounded.
+const MOST_PAIRS: usize = 1 << 27;
 
 /// The share of a piece's length below which it is nothing but rounding: a thousandth of a pixel of a line
 /// across the largest page.

@@ -141,7 +141,7 @@ pub(crate) static VALUES: &[Value] = &[
     told!("V.y", "y of V, in the box's frame", Event::Clamped { v, .. } => v.y),
     told!("clamped.x", "x of V clamped to the half-extents", Event::Clamped { clamped, .. } => clamped.x),
     told!("clamped.y", "y of V clamped to the half-extents", Event::Clamped { clamped, .. } => clamped.y),
-    told!("r", "what comes off D: the circle's radius, and that of the box's corners", Event::Clamped { radius, .. } => *radius),
+    told!("r", "radius of the circle, and of the box's corners", Event::Clamped { radius, .. } => *radius),
     Value { name: "box.angle", about: "angle of the box that clamps, degrees", of: angle_of_the_box },
     Value { name: "D", about: "length of D = B − B_c", of: |c| d(c, DVec2::length) },
     Value {
