@@ -175,6 +175,16 @@ async function atStep(page, stem) {
     const [here, there] = await Promise.all([page, again].map((one) => one.textContent(".seen")));
     if (here !== there) fail(stem, `says "${there}" at ${hash}, expected "${here}"`);
     await again.close();
+    // A step that what is moved does not have is the whole.
+    const field = page.locator(".numbers input").first();
+    const was = await field.inputValue();
+    await field.fill(String(Number(was) + 8));
+    await field.press("Enter");
+    await page.waitForTimeout(SAID);
+    const [step, count] = (await page.textContent(".count")).match(/\d+/g).map(Number);
+    const { hash: moved } = new URL(page.url());
+    const expected = step < count ? `step=${step}` : undefined;
+    if (/step=\d+/.exec(moved)?.[0] !== expected) fail(stem, `at step ${step} of ${count} the address is ${moved}`);
 }
 
 async function figure(stem) {

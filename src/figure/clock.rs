@@ -72,6 +72,16 @@ mod tests {
     use crate::scene::open_text;
 
     #[test]
+    fn a_short_way_has_as_many_digits_as_its_end_needs() {
+        let said =
+            |time: f64, last: f64| Clock::of([time, last], 14.0, Decimal::Point).unwrap().0.markup.clone();
+        assert_eq!(said(0.25, 1.0), "$t = 0.25$");
+        assert_eq!(said(0.25, 0.5), "$t = 0.25$");
+        assert_eq!(said(0.001, 0.00375), "$t = 0.00100$");
+        assert_eq!(said(0.0461, 0.0922), "$t = 0.0461$");
+    }
+
+    #[test]
     fn the_clock_goes_where_no_picture_has_anything() {
         let corner_of = |layers: &str| {
             let text = format!(

@@ -104,6 +104,23 @@ mod tests {
     use crate::scene::open_text;
 
     #[test]
+    fn that_bodies_overlap_from_the_start_is_told_while_they_stand_there() {
+        let text = "shapes.A = { kind = 'box', half_extents = [1, 0.5], velocity = [6, 0] }
+            shapes.B = { kind = 'box', half_extents = [1, 0.5], position = [-1, 0.4] }
+            query = { kind = 'linear-sweep', of = ['A', 'B'] }";
+        let scene = open_text("s", text).unwrap().scene;
+        let plan = plan(&scene).unwrap().with_room_to_move().unwrap();
+        let drawing = draw_in_motion(&plan, plan.theme, "s", 3).unwrap().drawing;
+        let tells = |items: &[Item]| {
+            let is_caption = |item: &Item| matches!(item, Item::Group(group) if group.name == "caption");
+            items.iter().filter(|item| is_caption(item)).filter_map(Item::extent).count() > 0
+        };
+        let told: Vec<bool> = drawing.pictures().iter().map(|(picture, _)| tells(&picture.items)).collect();
+        let [first, on_the_way @ ..] = &told[..] else { panic!("pictures") };
+        assert!(*first && on_the_way.len() > 1 && !on_the_way[0], "{told:?}");
+    }
+
+    #[test]
     fn an_answer_is_told_where_the_motion_has_come_to_it() {
         let text = "shapes.A = { kind = 'circle', radius = 1, velocity = [8, 0] }
             shapes.B = { kind = 'circle', radius = 1, position = [6, 0] }

@@ -157,7 +157,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
     let (until, points) = curve(context, &all);
     let points = kinks::kept(context, &points);
     // Bodies that touch or overlap at the start have depths below the axis.
-    let is_at_start = context.hit_time().is_some_and(|time| time.lo <= 0.0);
+    let is_at_start = context.hit_time().is_some() && all.last().is_some_and(|step| step.time <= 0.0);
     let depths = points.iter().filter(|_| is_at_start).map(|p| p.y);
     let least = depths.fold(all[0].separation.min(0.0), f64::min);
     let highest = points.iter().map(|p| p.y).fold(all[0].separation, f64::max).max(-ABOVE * least);

@@ -265,6 +265,18 @@ fn bodies_that_overlap_at_the_start_have_their_depth_below_the_axis() {
 }
 
 #[test]
+fn bodies_that_touch_at_the_start_have_a_graph_that_is_on_the_page() {
+    for gap in ["-2.0000000000001", "-2", "-1.9999999999999"] {
+        let (figure, _) = drawn(&format!("position = [{gap}, 0.3]"), "graph");
+        assert!(!paths(&figure.drawing.items, "curve").is_empty(), "{gap}");
+        // The axis of separation reaches above that of time, and down to what is below it.
+        let axes: Vec<Point> = paths(&figure.drawing.items, "axis").into_iter().flat_map(points).collect();
+        let has = |is_so: fn(f64, f64) -> bool| axes.iter().any(|p| is_so(p.y, axes[0].y));
+        assert!(has(|y, zero| y < zero - 20.0) && has(|y, zero| y > zero + 20.0), "{gap}");
+    }
+}
+
+#[test]
 fn of_a_miss_the_last_line_reaches_the_end_above_the_axis() {
     let (figure, _) = drawn("position = [-9, 0]", "graph");
     let line = points(paths(&figure.drawing.items, "worst").last().unwrap());
