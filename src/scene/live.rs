@@ -154,7 +154,8 @@ fn no_such_thing(got: &str, bodies: &[body::Read]) -> Fault {
         Grip::words().find(|word| *word == part).and_then(|_| read.body.as_ref())
     };
     match got.rsplit_once('.').and_then(|parts| Some((parts, of_a_body(parts)?))) {
-        Some(((name, part), body)) => {
+        // A page has a scene in which it names something.
+        Some(((name, part), body)) if !cfg!(tracefig_page) => {
             let own = |word: &&String| word.strip_prefix(name).is_some_and(|end| end.starts_with('.'));
             let own: Vec<String> = known.iter().filter(own).map(|word| format!("`{word}`")).collect();
             Fault::Conflict {
@@ -162,7 +163,7 @@ fn no_such_thing(got: &str, bodies: &[body::Read]) -> Fault {
                 help: format!("drag `{name}`, or of it {}", own.join(", ")),
             }
         }
-        None => Fault::UnknownWord { what: "thing to drag", got: got.to_owned(), known },
+        _ => Fault::UnknownWord { what: "thing to drag", got: got.to_owned(), known },
     }
 }
 

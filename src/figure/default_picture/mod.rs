@@ -253,11 +253,27 @@ fn filled<'s>(panel: &'s Panel, case: &Case, rows: &[&Picture], problems: &mut V
 /// The panels of a picture for the answer of a case.
 fn of_case(picture: &Picture, case: &Case, at: &Range<usize>) -> Vec<Panel> {
     let mut panels = panels(picture, case.scene, at);
-    for layer in panels.iter_mut().filter_map(|panel| panel.layers.as_mut()).flatten() {
-        until_undecided(layer, case);
-        overlap_at_start::slow_down(layer, case);
+    let has_many = case.bodies().map(|body| body.shape.vertices.len()).sum::<usize>() > MANY;
+    for panel in &mut panels {
+        let is_crowded = has_many && panel.space == Space::World;
+        let Some(layers) = &mut panel.layers else { continue };
+        layers.retain(|layer| !(is_crowded && is_of_steps(layer)));
+        for layer in layers {
+            until_undecided(layer, case);
+            overlap_at_start::slow_down(layer, case);
+        }
     }
     panels
+}
+
+/// Vertices of both bodies beyond which a picture of the world has none of their steps: their lines would be
+/// more than labels can be placed among.
+const MANY: usize = 2000;
+
+/// Whether a layer draws every step.
+fn is_of_steps(layer: &LayerSpec) -> bool {
+    let is_so = |value: &Value| matches!(value, Value::Text(text) if text == "steps");
+    layer.options.iter().any(|(key, value)| key.value == "at" && is_so(&value.value))
 }
 
 /// The panels of a picture for the bodies of a scene, their titles in its language; what goes wrong with

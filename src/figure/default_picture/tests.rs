@@ -97,6 +97,23 @@ fn an_undecided_motion_is_shown_where_the_proof_ends() {
 }
 
 #[test]
+fn a_miss_of_bodies_with_many_vertices_is_drawn_without_their_steps() {
+    for (edges, count) in [(60, 1), (2048, 0)] {
+        let text = format!(
+            "shapes.A = {{ kind = 'regular-polygon', edges = {edges}, circumradius = 2, velocity = [3, 0],
+                angular_velocity_deg = 40 }}
+             shapes.B = {{ kind = 'regular-polygon', edges = {edges}, circumradius = 1, position = [6, 1],
+                angular_velocity_deg = -100 }}
+             query = {{ kind = 'time-of-impact', of = ['A', 'B'], algorithm = 'conservative-advancement' }}"
+        );
+        let scene = open_text("s.toml", &text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let ghosts = plan.panels[0].layers.iter().filter(|layer| layer.layer.name == "ghosts");
+        assert_eq!(ghosts.count(), count, "{edges}");
+    }
+}
+
+#[test]
 fn every_answer_has_a_picture_and_every_row_and_layer_an_answer() {
     let mut fed: BTreeMap<&str, BTreeSet<String>> = BTreeMap::new();
     let (mut figures, mut faults) = (0.0, Vec::new());
