@@ -41,7 +41,9 @@ mod tests {
     #[test]
     fn numbers_stand_in_their_order_once_each() {
         let mut all = Vec::new();
-        [5, 2, 9, 2, 0, 5].into_iter().for_each(|number| insert_in_order(&mut all, number));
+        for number in [5, 2, 9, 2, 0, 5] {
+            insert_in_order(&mut all, number);
+        }
         assert_eq!(all, [0, 2, 5, 9]);
     }
 

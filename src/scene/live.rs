@@ -151,7 +151,7 @@ fn no_such_thing(got: &str, bodies: &[body::Read]) -> Fault {
     let known = known(bodies);
     let of_a_body = |(name, part): (&str, &str)| {
         let read = bodies.iter().find(|read| read.name.value == name)?;
-        Grip::words().find(|word| *word == part).and_then(|_| read.body.as_ref())
+        Grip::words().find(|word| *word == part).and(read.body.as_ref())
     };
     match got.rsplit_once('.').and_then(|parts| Some((parts, of_a_body(parts)?))) {
         // A page has a scene in which it names something.

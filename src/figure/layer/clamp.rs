@@ -207,9 +207,10 @@ fn kept(sketch: &mut Sketch, options: &Options, c: &Clamped, (values, drawn): (b
         let end = c.pose.position + axis * kept;
         sketch.part("clamped").line(c.pose.position, end, Pen::highlighted(role));
         let (key, text) = if component == kept { (whole_key, whole) } else { (key, cut) };
-        let text = match component == kept || drawn || !values {
-            true => with_value(text, kept, values),
-            false => format!("{}, clamped to ${}$", with_value(whole, component, true), number(kept)),
+        let text = if component == kept || drawn || !values {
+            with_value(text, kept, values)
+        } else {
+            format!("{}, clamped to ${}$", with_value(whole, component, true), number(kept))
         };
         sketch.label(Label::new(key, text, Anchor::middle(c.pose.position, end), role));
     }

@@ -316,18 +316,17 @@ pub(crate) fn with_powers(words: &str) -> String {
     for piece in pieces {
         let end = piece.find(|c: char| c != '−' && !c.is_ascii_digit()).unwrap_or(piece.len());
         let (exponent, rest) = piece.split_at(end);
-        match exponent {
+        if exponent.is_empty() {
             // A name may hold it, too.
-            "" => text.extend(["10^", piece]),
-            _ => {
-                // No line ends within a number.
-                if text.ends_with(TIMES) {
-                    text.truncate(text.len() - TIMES.len());
-                    text.push_str("\u{a0}×\u{a0}");
-                }
-                text.extend(["$10^{", &exponent.replace('−', "-"), "}$", rest]);
-            }
+            text.extend(["10^", piece]);
+            continue;
         }
+        // No line ends within a number.
+        if text.ends_with(TIMES) {
+            text.truncate(text.len() - TIMES.len());
+            text.push_str("\u{a0}×\u{a0}");
+        }
+        text.extend(["$10^{", &exponent.replace('−', "-"), "}$", rest]);
     }
     text
 }
