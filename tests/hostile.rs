@@ -267,6 +267,22 @@ fn figures() -> Vec<(&'static str, String, Fate)> {
                 + &configuration(&list(200, |i| format!("{{layer='difference',at=0.{i:03}}}"))),
             Some("over-limit"),
         ),
+        (
+            "shapes of 4,096 vertices that overlap",
+            rounds(1.0, ["", ""], "kind='overlap'") + &world(&"'shapes',".repeat(14)),
+            Some("over-limit"),
+        ),
+        (
+            "shapes of 4,096 vertices that lie on each other",
+            rounds(0.0, ["", ""], "kind='overlap'") + &world(&"'shapes',".repeat(200)),
+            Some("over-limit"),
+        ),
+        (
+            "ghosts of 4,096 vertices that overlap",
+            rounds(1.0, ["velocity = [5e7, 0]", "velocity = [-3e7, 1e7]"], "kind='overlap'")
+                + &world(&list(14, |i| format!("{{layer='ghosts',at=0.{i:02}}}"))),
+            Some("over-limit"),
+        ),
         ("turning shapes of 4,096 vertices", moving("'shapes', { layer='ghosts', at='hit' }"), None),
         (
             "a sweep of 4,096 vertices",

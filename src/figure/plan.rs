@@ -198,7 +198,7 @@ fn resolve<'s>(
         });
     }
     sort_by(&mut problems, |p, q| (p.span.start, p.span.end).cmp(&(q.span.start, q.span.end)));
-    problems.dedup();
+    problems.dedup_by_key(|told| (told.span.clone(), told.fault.to_string()));
     problems.truncate(MAX_PROBLEMS);
     Err(problems)
 }

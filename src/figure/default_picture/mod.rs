@@ -255,7 +255,7 @@ fn of_case(picture: &Picture, case: &Case, at: &Range<usize>) -> Vec<Panel> {
     let mut panels = panels(picture, case.scene, at);
     let has_many = case.bodies().map(|body| body.shape.vertices.len()).sum::<usize>() > MANY;
     for panel in &mut panels {
-        let is_crowded = has_many && panel.space == Space::World;
+        let is_crowded = (has_many || case.movers() > 1) && panel.space == Space::World;
         let Some(layers) = &mut panel.layers else { continue };
         layers.retain(|layer| !(is_crowded && is_of_steps(layer)));
         for layer in layers {
@@ -267,7 +267,7 @@ fn of_case(picture: &Picture, case: &Case, at: &Range<usize>) -> Vec<Panel> {
 }
 
 /// Vertices of both bodies beyond which a picture of the world has none of their steps: their lines would be
-/// more than labels can be placed among.
+/// more than labels can be placed among. Nor has one of bodies that both move, which would hide each other.
 const MANY: usize = 2000;
 
 /// Whether a layer draws every step.

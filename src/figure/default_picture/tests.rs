@@ -97,19 +97,19 @@ fn an_undecided_motion_is_shown_where_the_proof_ends() {
 }
 
 #[test]
-fn a_miss_of_bodies_with_many_vertices_is_drawn_without_their_steps() {
-    for (edges, count) in [(60, 1), (2048, 0)] {
+fn a_miss_of_bodies_with_many_vertices_or_that_both_move_is_drawn_without_their_steps() {
+    for (edges, spin, count) in [(60, 0, 1), (2048, 0, 0), (60, -100, 0)] {
         let text = format!(
             "shapes.A = {{ kind = 'regular-polygon', edges = {edges}, circumradius = 2, velocity = [3, 0],
                 angular_velocity_deg = 40 }}
              shapes.B = {{ kind = 'regular-polygon', edges = {edges}, circumradius = 1, position = [6, 1],
-                angular_velocity_deg = -100 }}
+                angular_velocity_deg = {spin} }}
              query = {{ kind = 'time-of-impact', of = ['A', 'B'], algorithm = 'conservative-advancement' }}"
         );
         let scene = open_text("s.toml", &text).unwrap().scene;
         let plan = plan(&scene).unwrap();
         let ghosts = plan.panels[0].layers.iter().filter(|layer| layer.layer.name == "ghosts");
-        assert_eq!(ghosts.count(), count, "{edges}");
+        assert_eq!(ghosts.count(), count, "{edges}, {spin}");
     }
 }
 

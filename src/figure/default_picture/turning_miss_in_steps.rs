@@ -1,5 +1,5 @@
 //! Bodies that turn and never meet: how near they come, and their separation over time, down to which no step
-//! of the advancement goes.
+//! of the advancement goes. The places of two bodies that both move are left out: they would hide each other.
 
 use crate::collision::Outcome;
 

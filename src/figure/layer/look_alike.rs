@@ -19,9 +19,16 @@ pub(super) fn point_alike(n: DVec2, other: DVec2) -> bool {
     n.distance(other) < ALIKE
 }
 
-/// Whether all points are within `near` of a line.
+/// Whether all points are within `near` of a closed line. Each is looked for from where the last one was: of
+/// two lines that go around one outline the points follow each other.
 fn lies_along(points: &[DVec2], line: &[DVec2], near: f64) -> bool {
-    points.iter().all(|&p| line.windows(2).any(|ends| from_segment(p, ends[0], ends[1]) <= near))
+    let mut last = 0;
+    points.iter().all(|&p| {
+        let mut pieces = (0..line.len() - 1).map(|i| (last + i) % (line.len() - 1));
+        let found = pieces.find(|&i| from_segment(p, line[i], line[i + 1]) <= near);
+        last = found.unwrap_or(last);
+        found.is_some()
+    })
 }
 
 /// The distance of a point from a segment.

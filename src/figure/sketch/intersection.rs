@@ -9,24 +9,12 @@ use std::f64::consts::TAU;
 
 use crate::geometry::{DVec2, sort_by};
 
-use super::{Outline, Piece, angle_of, on_circle};
+use super::span::{NOTHING, Near, Span, spans};
+use super::{Outline, Piece};
 
-/// The most pairs of pieces of two outlines that are looked at: as many as the largest shapes of a scene have
-/// that are rounded.
+/// The most pairs of pieces that are looked at for all regions of a panel: those of the largest shapes of a
+/// scene four times where all are as wide as the body, some 0.1 s, and hundreds of times where all are short.
 const MOST_PAIRS: usize = 1 << 27;
-
-/// The share of a piece's length below which it is nothing but rounding: a thousandth of a pixel of a line
-/// across the largest page.
-const NOTHING: f64 = 1e-7;
-
-/// A piece of an outline that knows where it begins.
-#[derive(Clone, Copy, Debug)]
-enum Span {
-    /// A straight piece.
-    Line(DVec2, DVec2),
-    /// Part of a circle: centre, radius, and from where over what angle, radians counter-clockwise from +x.
-    Arc(DVec2, f64, f64, f64),
-}
 
 /// What two outlines have in common.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,16 +26,15 @@ pub(crate) struct Common {
 }
 
 /// What two convex closed outlines have in common, both counter-clockwise; `None` where that is nothing, one
-/// is not convex, or they have more pieces than a reader could tell.
-pub(crate) fn common(a: &Outline, b: &Outline) -> Option<Common> {
+/// is not convex, or too much was `looked` at for it: pairs of pieces, which are counted up.
+pub(crate) fn common(a: &Outline, b: &Outline, looked: &mut usize) -> Option<Common> {
     let (in_a, in_b) = (Region::of(a)?, Region::of(b)?);
-    if in_a.spans.len().saturating_mul(in_b.spans.len()) > MOST_PAIRS {
-        return None;
-    }
-    let kept = [in_a.within(&in_b), in_b.within(&in_a)];
+    let kept = [in_a.within(&in_b, looked)?, in_b.within(&in_a, looked)?];
     // Where both lines run together the common part has one: twice around it, even-odd filling has nothing.
     let near = NOTHING * in_a.size;
-    let alone = kept[1].iter().filter(|span| !kept[0].iter().any(|other| other.is_along(span, near)));
+    let found = Near::of(&kept[0], near);
+    let is_new = |span: &&Span| !found.to(span, looked).iter().any(|other| other.is_along(span, near));
+    let alone = kept[1].iter().filter(is_new);
     let mut all: Vec<Span> = kept[0].iter().chain(alone).copied().collect();
     let turn = |span: &Span| span.direction().rem_euclid(TAU);
     sort_by(&mut all, |a, b| turn(a).total_cmp(&turn(b)));
@@ -86,164 +73,38 @@ impl Region {
         self.points.windows(2).all(left)
     }
 
-    /// The pieces of its line that lie in another.
-    fn within(&self, other: &Self) -> Vec<Span> {
-        let mut kept = Vec::new();
+    /// The pieces of its line that lie in another; `None` where too many pairs were `looked` at.
+    fn within(&self, other: &Self, looked: &mut usize) -> Option<Vec<Span>> {
+        let (mut kept, mut is_in) = (Vec::new(), None);
         let near = NOTHING * self.size;
-        let boxes: Vec<[DVec2; 2]> = other.spans.iter().map(|span| span.bounds(near)).collect();
+        let crossing = Near::of(&other.spans, near);
         for span in &self.spans {
-            let [lo, hi] = span.bounds(near);
-            let reached = |[least, most]: &[DVec2; 2]| lo.cmple(*most).all() && least.cmple(hi).all();
-            let by: Vec<&Span> = other
-                .spans
-                .iter()
-                .zip(&boxes)
-                .filter_map(|(by, there)| reached(there).then_some(by))
-                .collect();
+            let by = crossing.to(span, looked);
+            if by.is_empty() {
+                // Nothing crosses here: it goes on as before.
+                let here = *is_in.get_or_insert_with(|| other.holds(span.at(0.5)));
+                kept.extend(here.then_some(*span));
+                continue;
+            }
+            *looked += other.points.len();
+            if *looked > MOST_PAIRS {
+                return None;
+            }
             let mut shares: Vec<f64> = by.iter().flat_map(|by| span.crossed(by)).collect();
             shares.extend(by.iter().flat_map(|by| span.met_by_ends(by, near)));
             shares.retain(|share| (NOTHING..=1.0 - NOTHING).contains(share));
             shares.extend([0.0, 1.0]);
             sort_by(&mut shares, f64::total_cmp);
             shares.dedup_by(|next, last| *next - *last < NOTHING);
-            let parts = shares.windows(2).map(|w| span.part(w[0], w[1]));
-            kept.extend(parts.filter(|part| other.holds(part.at(0.5))));
-        }
-        kept
-    }
-}
-
-impl Span {
-    /// The point at a share of it, from 0 to 1.
-    fn at(&self, share: f64) -> DVec2 {
-        match *self {
-            Self::Line(p, q) => p + share * (q - p),
-            Self::Arc(center, radius, start, sweep) => on_circle(center, radius, start + share * sweep),
-        }
-    }
-
-    /// How far it is from end to end; of an arc, the radius.
-    fn size(&self) -> f64 {
-        match *self {
-            Self::Line(p, q) => (q - p).length(),
-            Self::Arc(_, radius, ..) => radius,
-        }
-    }
-
-    /// The corners of a box in which it is, and all that is as near as `near`; of an arc, that of its circle.
-    fn bounds(&self, near: f64) -> [DVec2; 2] {
-        let (lo, hi) = match *self {
-            Self::Line(p, q) => (p.min(q), p.max(q)),
-            Self::Arc(center, radius, ..) => (center - radius, center + radius),
-        };
-        let room = DVec2::splat(near + NOTHING * (hi - lo).max_element());
-        [lo - room, hi + room]
-    }
-
-    /// What of it lies between two shares.
-    fn part(&self, from: f64, to: f64) -> Self {
-        match *self {
-            Self::Line(..) => Self::Line(self.at(from), self.at(to)),
-            Self::Arc(center, radius, start, sweep) => {
-                Self::Arc(center, radius, start + from * sweep, (to - from) * sweep)
+            for ends in shares.windows(2) {
+                let part = span.part(ends[0], ends[1]);
+                let here = other.holds(part.at(0.5));
+                kept.extend(here.then_some(part));
+                is_in = Some(here);
             }
         }
+        Some(kept)
     }
-
-    /// The direction of the line in its middle, radians counter-clockwise from +x.
-    fn direction(&self) -> f64 {
-        match *self {
-            Self::Line(p, q) => angle_of(q - p),
-            Self::Arc(_, _, start, sweep) => start + 0.5 * sweep + 0.25 * TAU,
-        }
-    }
-
-    /// The shares at which the line or circle that carries another piece crosses the one that carries this:
-    /// they split it, so that too many do no harm.
-    fn crossed(&self, by: &Self) -> Vec<f64> {
-        match (*self, *by) {
-            (Self::Line(p, q), Self::Line(r, s)) => {
-                let (u, v) = (q - p, s - r);
-                let across = u.perp_dot(v);
-                let (share, other) = ((r - p).perp_dot(v) / across, (r - p).perp_dot(u) / across);
-                Vec::from_iter(Some(share).filter(|_| (-NOTHING..=1.0 + NOTHING).contains(&other)))
-            }
-            (Self::Line(p, q), Self::Arc(center, radius, ..)) => {
-                let (u, off) = (q - p, p - center);
-                let (a, b, c) = (u.length_squared(), off.dot(u), off.length_squared() - radius * radius);
-                let root = (b * b - a * c).sqrt();
-                [(-b - root) / a, (-b + root) / a].into_iter().filter(|share| share.is_finite()).collect()
-            }
-            (Self::Arc(center, ..), Self::Line(p, q)) => {
-                let by = Self::Line(p, q);
-                by.crossed(self).into_iter().map(|share| self.share_of(by.at(share) - center)).collect()
-            }
-            (Self::Arc(center, radius, ..), Self::Arc(other, reach, ..)) => {
-                let (u, apart) = (other - center, (other - center).length());
-                let along = (apart * apart + radius * radius - reach * reach) / (2.0 * apart);
-                let aside = (radius * radius - along * along).sqrt();
-                let n = u / apart;
-                let points = [aside, -aside].map(|aside| along * n + aside * n.perp());
-                points.into_iter().filter(|p| p.is_finite()).map(|p| self.share_of(p)).collect()
-            }
-        }
-    }
-
-    /// The shares at which another piece begins and ends that runs along the line or circle that carries this
-    /// one, as near as `near`: where that is left without a corner, nothing crosses.
-    fn met_by_ends(&self, by: &Self, near: f64) -> Vec<f64> {
-        let ends = [by.at(0.0), by.at(1.0)];
-        match (*self, *by) {
-            (Self::Line(p, q), Self::Line(..)) => {
-                let u = q - p;
-                let is_on = |r: &DVec2| u.perp_dot(r - p).abs() <= near * u.length();
-                let share = |r: &DVec2| (r - p).dot(u) / u.length_squared();
-                if ends.iter().all(is_on) { ends.iter().map(share).collect() } else { Vec::new() }
-            }
-            (Self::Arc(center, radius, ..), Self::Arc(other, reach, ..))
-                if (other - center).length() <= near && (reach - radius).abs() <= near =>
-            {
-                ends.map(|end| self.share_of(end - center)).to_vec()
-            }
-            _ => Vec::new(),
-        }
-    }
-
-    /// Whether it is another piece but for rounding, `near` at most: its ends and its middle are.
-    fn is_along(&self, other: &Self, near: f64) -> bool {
-        [0.0, 0.5, 1.0].iter().all(|&share| (self.at(share) - other.at(share)).length() <= near)
-    }
-
-    /// The share of an arc at which it looks in a direction from its centre; beyond 1 where it does not.
-    fn share_of(&self, direction: DVec2) -> f64 {
-        match *self {
-            Self::Line(..) => 0.0,
-            Self::Arc(_, _, start, sweep) => (angle_of(direction) - start).rem_euclid(TAU) / sweep,
-        }
-    }
-}
-
-/// The pieces of an outline, with the straight ones that it leaves unsaid.
-fn spans(outline: &Outline) -> Vec<Span> {
-    let (mut at, mut all) = (outline.start, Vec::new());
-    for piece in &outline.pieces {
-        match *piece {
-            Piece::Line(p) => {
-                all.push(Span::Line(at, p));
-                at = p;
-            }
-            Piece::Arc { center, radius, start, sweep } => {
-                let arc = Span::Arc(center, radius, start, sweep);
-                all.push(Span::Line(at, arc.at(0.0)));
-                all.push(arc);
-                at = arc.at(1.0);
-            }
-        }
-    }
-    all.push(Span::Line(at, outline.start));
-    let size = all.iter().map(Span::size).fold(0.0, f64::max);
-    all.retain(|span| span.size() > NOTHING * size);
-    all
 }
 
 /// An open outline along pieces, straight from each to the next; `None` where there is none.
@@ -281,6 +142,7 @@ fn chains(mut spans: Vec<Span>) -> Vec<Outline> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::figure::sketch::on_circle;
 
     fn square(x: f64, y: f64, half: f64) -> Outline {
         let at = |u: f64, v: f64| DVec2::new(x + u * half, y + v * half);
@@ -292,14 +154,18 @@ mod tests {
         outline.sampled().windows(2).map(|w| 0.5 * w[0].perp_dot(w[1])).sum()
     }
 
+    fn of(a: &Outline, b: &Outline) -> Option<Common> {
+        common(a, b, &mut 0)
+    }
+
     fn shared(a: &Outline, b: &Outline) -> f64 {
-        common(a, b).map_or(0.0, |common| area(&common.whole))
+        of(a, b).map_or(0.0, |common| area(&common.whole))
     }
 
     #[test]
     fn two_squares_share_a_rectangle_whose_sides_are_theirs() {
         let (a, b) = (square(0., 0., 2.), square(3., 1., 2.));
-        let common = common(&a, &b).unwrap();
+        let common = of(&a, &b).unwrap();
         assert!((area(&common.whole) - 3.0).abs() < 1e-9, "{common:?}");
         assert_eq!(common.lines.map(|lines| lines.len()), [1, 1]);
     }
@@ -318,7 +184,7 @@ mod tests {
     #[test]
     fn circles_share_a_lens_of_two_arcs() {
         let (a, b) = (Outline::circle(DVec2::ZERO, 3.0), Outline::circle(DVec2::new(5.0, 0.0), 4.0));
-        let lens = common(&a, &b).unwrap().whole;
+        let lens = of(&a, &b).unwrap().whole;
         // Chords of 5° stand for the arcs of two segments, 9 acos(18/30) + 16 acos(32/40) − 12 together.
         let exact = 9.0 * libm::acos(0.6) + 16.0 * libm::acos(0.8) - 12.0;
         assert!((area(&lens) - exact).abs() < 0.03, "{}", area(&lens));
@@ -333,7 +199,7 @@ mod tests {
             let capsule = Outline::rounded(&[at(-1.0), at(1.1)], 1.25);
             let circle = Outline::circle(DVec2::new(-1.25, -0.5), 2.0);
             let [in_a, in_b] = [&circle, &capsule].map(|outline| Region::of(outline).unwrap());
-            let in_lens = Region::of(&common(&circle, &capsule).unwrap().whole).unwrap();
+            let in_lens = Region::of(&of(&circle, &capsule).unwrap().whole).unwrap();
             let grid = (0..40).flat_map(|i| (0..40).map(move |j| [i, j]));
             let wrong = grid.filter(|&[i, j]| {
                 let p = DVec2::new(-3.0 + 0.151 * f64::from(i), -2.5 + 0.149 * f64::from(j));
@@ -350,13 +216,13 @@ mod tests {
         assert!((shared(&disc, &square(0., 0., 4.)) - area(&disc)).abs() < 1e-9);
         assert!((shared(&square(0., 0., 4.), &square(0., 0., 4.)) - 64.0).abs() < 1e-6);
         assert!(shared(&square(0., 0., 1.), &square(2., 0., 1.)).abs() < 1e-9);
-        assert!(common(&disc, &square(9., 0., 1.)).is_none());
+        assert!(of(&disc, &square(9., 0., 1.)).is_none());
     }
 
     #[test]
     fn rounded_and_sharp_bodies_share_what_points_in_both_say() {
         let capsule = Outline::rounded(&[DVec2::new(-2., -1.), DVec2::new(2., 1.)], 1.25);
-        let (a, b) = (square(1., 1., 1.5), common(&capsule, &square(1., 1., 1.5)).unwrap().whole);
+        let (a, b) = (square(1., 1., 1.5), of(&capsule, &square(1., 1., 1.5)).unwrap().whole);
         let (in_a, in_capsule) = (Region::of(&a).unwrap(), Region::of(&capsule).unwrap());
         let in_b = Region::of(&b).unwrap();
         for i in 0..40 {
@@ -370,7 +236,7 @@ mod tests {
     #[test]
     fn two_lines_that_run_together_go_around_the_common_part_once() {
         let around = |a: &Outline, b: &Outline| {
-            let whole = common(a, b).unwrap().whole.sampled();
+            let whole = of(a, b).unwrap().whole.sampled();
             whole.windows(2).map(|w| (w[1] - w[0]).length()).sum::<f64>()
         };
         let disc = Outline::circle(DVec2::new(0.5, 0.25), 1.0);
@@ -393,6 +259,6 @@ mod tests {
     #[test]
     fn a_concave_outline_has_no_common_part_here() {
         let arrow = [(0., 0.), (4., 0.), (1., 1.), (0., 4.)].map(|(x, y)| DVec2::new(x, y));
-        assert!(common(&Outline::polygon(&arrow), &square(0., 0., 4.)).is_none());
+        assert!(of(&Outline::polygon(&arrow), &square(0., 0., 4.)).is_none());
     }
 }

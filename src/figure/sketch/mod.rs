@@ -20,6 +20,7 @@ mod overlap;
 mod pen;
 mod right_angle;
 mod round;
+mod span;
 mod words;
 
 use crate::drawing::{Contour, Group, Item, Paint, Path, Point, Rect, Shown};
@@ -90,9 +91,7 @@ pub(crate) struct Sketch<'f> {
     /// The labels asked for so far.
     requests: Vec<Request>,
     /// The bodies that were filled so far.
-    bodies: Vec<overlap::Filled>,
-    /// What bodies share that were filled.
-    regions: Vec<Outline>,
+    bodies: overlap::Bodies,
     /// What has no label so far, though one of its kind could name it.
     unnamed: Vec<Anchor>,
     /// What a reader may take hold of so far, each once.
@@ -162,8 +161,7 @@ impl<'f> Sketch<'f> {
             obstacles: Vec::new(),
             tips: Vec::new(),
             requests: Vec::new(),
-            bodies: Vec::new(),
-            regions: Vec::new(),
+            bodies: overlap::Bodies::default(),
             unnamed: Vec::new(),
             holds: Vec::new(),
             extent: None,

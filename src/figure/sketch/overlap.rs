@@ -1,6 +1,8 @@
 //! Bodies, filled, and where two overlap a region of its own: two tints over each other would make a grey
 //! that means neither.
 
+use std::mem;
+
 use crate::drawing::{Item, Path, Role};
 use crate::geometry::Side;
 
@@ -11,8 +13,19 @@ use super::{Outline, Pen, Sketch, Wash};
 /// that lie over its edges: half of either lies in it.
 const SEEN: f64 = 1.0;
 
+/// The bodies that a panel filled so far.
+#[derive(Default)]
+pub(super) struct Bodies {
+    /// Each with its line, in drawing order.
+    filled: Vec<Filled>,
+    /// What they share, in drawing order.
+    shared: Vec<Outline>,
+    /// Pairs of pieces that were looked at for what they share.
+    looked: usize,
+}
+
 /// A body that a layer filled.
-pub(super) struct Filled {
+struct Filled {
     /// Whose it is.
     side: Side,
     /// Its outline, in the panel's space.
@@ -27,23 +40,24 @@ impl Sketch<'_> {
     pub(crate) fn body(&mut self, side: Side, outline: &Outline, role: Role) -> &mut Self {
         let pen = Pen::outline(role);
         self.area(outline, Some(Wash::theme(role)), Some(pen));
-        let others: Vec<(Common, Pen)> = self
-            .bodies
-            .iter()
-            .filter(|other| other.side != side)
-            .filter_map(|other| Some((common(&other.outline, outline)?, other.pen)))
-            .filter(|(common, _)| self.is_wide(&common.whole, pen))
-            .collect();
-        for (common, before) in others {
-            self.overlap(&common, [before, pen]);
+        if self.is_full() {
+            return self;
         }
-        self.bodies.push(Filled { side, outline: outline.clone(), pen });
+        let (mut filled, mut looked) = (mem::take(&mut self.bodies.filled), self.bodies.looked);
+        for other in filled.iter().filter(|other| other.side != side) {
+            let shared = common(&other.outline, outline, &mut looked);
+            if let Some(common) = shared.filter(|common| self.is_wide(&common.whole, pen)) {
+                self.overlap(&common, [other.pen, pen]);
+            }
+        }
+        filled.push(Filled { side, outline: outline.clone(), pen });
+        (self.bodies.filled, self.bodies.looked) = (filled, looked);
         self
     }
 
     /// What bodies of different sides share that were drawn so far, in the panel's space, in drawing order.
     pub(crate) fn regions(&self) -> &[Outline] {
-        &self.regions
+        &self.bodies.shared
     }
 
     /// Whether a region is wide enough to be seen between the lines of a pen around it.
@@ -58,7 +72,7 @@ impl Sketch<'_> {
     /// Draws a region that two bodies share, and over it those pieces of their lines that it hides by half.
     fn overlap(&mut self, common: &Common, pens: [Pen; 2]) {
         self.area(&common.whole, Some(Wash::faint(Role::Overlap, 1.0)), None);
-        self.regions.push(common.whole.clone());
+        self.bodies.shared.push(common.whole.clone());
         for (lines, pen) in common.lines.iter().zip(pens) {
             for line in lines {
                 let stroke = self.stroke_of(pen);
