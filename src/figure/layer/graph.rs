@@ -45,6 +45,9 @@ const SEEN: f64 = 3.0;
 /// The share of a line of fastest approach beside which its words stand: at its foot are the times.
 const ABOVE_AXIS: f64 = 0.6;
 
+/// The distance below which a step and the last one are one to the eye, page pixels.
+const APART: f64 = 1.0;
+
 /// Room below for the times, and to the right for the last separation, page pixels.
 const VALUE_ROOM: f64 = 16.0;
 const VALUE_ASIDE: f64 = 46.0;
@@ -213,6 +216,14 @@ pub(super) fn looked(context: &Context, k: usize) -> Option<Cue> {
     context.cue(|event| matches!(event, Event::Advanced { step, .. } if *step == k))
 }
 
+/// The step with which one is told whose marks come in steps: itself, or where the eye can't tell it from
+/// the last one, that.
+fn told_with(sketch: &Sketch, chart: &Chart, all: &[Step], k: usize) -> usize {
+    let at = |step: &Step| chart.place(step.time, step.separation);
+    let step = all.get(k.saturating_sub(1)).zip(all.last()).map(|(step, last)| at(step).distance(at(last)));
+    if step.is_some_and(|apart| sketch.on_page(apart) < APART) { all.len() } else { k }
+}
+
 /// Draws how s would fall at the fastest from each step, to where the next one begins.
 fn worst(sketch: &mut Sketch, (context, chart): (&Context, &Chart), all: &[Step], values: bool) {
     for (k, step) in all.iter().take(MOST).enumerate() {
@@ -222,7 +233,9 @@ fn worst(sketch: &mut Sketch, (context, chart): (&Context, &Chart), all: &[Step]
             }
             continue;
         };
-        sketch.since(looked(context, k + 1).map(|cue| cue.part(advanced::NEXT)));
+        let told = told_with(sketch, chart, all, k + 1);
+        let part = |cue: Cue| if told == k + 1 { cue.part(advanced::NEXT) } else { cue };
+        sketch.since(looked(context, told).map(part));
         let (from, to) = (chart.place(step.time, step.separation), chart.place(next, 0.0));
         let dashed = Pen::construction();
         sketch.part("worst").weight(Weight::Background).line(from, to, dashed);
@@ -233,7 +246,8 @@ fn worst(sketch: &mut Sketch, (context, chart): (&Context, &Chart), all: &[Step]
             sketch.label(Label { lines, ..label }.rank(Rank::Word).size(Size::Note));
         }
         if let Some(then) = all.get(k + 1).filter(|_| k + 1 < MOST) {
-            sketch.since(looked(context, k + 2));
+            let told = told_with(sketch, chart, all, k + 2);
+            sketch.since(looked(context, told));
             let up = chart.place(then.time, then.separation);
             sketch.part("look").weight(Weight::Background).line(to, up, Pen::dimension(Role::Now));
             let ends = k + 2 == all.len();
@@ -318,13 +332,14 @@ fn marks(
     let room_at_end = if near(gap) > 0 { wider } else { gap };
     let together = near(room_at_end);
     for (k, step) in (1..).zip(all.iter().take(MOST)) {
-        sketch.since(context.known(&When::Step(k)));
+        let told = told_with(sketch, chart, all, k);
+        sketch.since(context.known(&When::Step(told)));
         let on_axis = chart.place(step.time, 0.0);
         let on_curve = chart.place(step.time, step.separation);
         sketch.part("steps").weight(Weight::Background);
         chart.tick(sketch, step.time, Role::Now);
-        sketch.since(looked(context, k)).marker(on_curve, Marker::HollowDiamond, Role::Now, MARKER);
-        sketch.since(context.known(&When::Step(k)));
+        sketch.since(looked(context, told)).marker(on_curve, Marker::HollowDiamond, Role::Now, MARKER);
+        sketch.since(context.known(&When::Step(told)));
         let along = chart.along(sketch, step.time);
         let yields = |room: f64| k > 1 && k < last && end - along < room;
         if k == last || along >= free && !yields(room_at_end) {

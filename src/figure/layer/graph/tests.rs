@@ -3,7 +3,7 @@
 use super::*;
 use crate::drawing::{Contour, Point, Segment};
 use crate::figure::layer::tests::{paths, points};
-use crate::figure::{Figure, draw, draw_in_motion, plan};
+use crate::figure::{Figure, draw, draw_in_motion, draw_in_steps, plan};
 use crate::scene::open_text;
 
 /// A box that turns towards a polygon, with a graph of it.
@@ -283,4 +283,21 @@ fn of_a_miss_the_last_line_reaches_the_end_above_the_axis() {
     let axis = points(paths(&figure.drawing.items, "axis")[0]);
     let [from, to] = [line[0], *line.last().unwrap()];
     assert!(from.x < to.x && from.y < to.y && to.y < axis[0].y, "{line:?} {axis:?}");
+}
+
+#[test]
+fn steps_that_the_eye_cannot_tell_from_the_last_one_come_with_it() {
+    let text =
+        "shapes.A = { kind = 'box', half_extents = [0.9, 0.25], position = [-3.4, 0.9], velocity = [5, -0.6],
+            angular_velocity_deg = 60 }
+        shapes.B = { kind = 'circle', radius = 0.5, position = [1.2, 0] }
+        query = { kind = 'time-of-impact', of = ['A', 'B'], algorithm = 'conservative-advancement' }
+        panels = [{ layers = ['graph'] }]";
+    let scene = open_text("s", text).unwrap().scene;
+    let plan = plan(&scene).unwrap();
+    assert!(steps(&plan.panels[0].context(&scene, &plan.runs)).len() > MOST);
+    let whole = draw_in_steps(&plan, plan.theme, "s").drawing;
+    let said: Vec<String> = whole.steps.iter().map(|step| step.sentences.join(" ")).collect();
+    assert!(said.len() < 18 && said.iter().any(|said| said.contains("Steps in between")), "{said:#?}");
+    assert!(said.last().unwrap().contains("it stops here"), "{said:#?}");
 }
