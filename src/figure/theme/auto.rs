@@ -5,6 +5,6 @@ use super::{Side, Theme, dark, light};
 pub(super) const THEME: Theme = Theme {
     name: "auto",
     about: "light or dark, as the reader's system is",
-    dark: Some(Side { colors: dark::COLORS, words: dark::COLORS, fill_opacity: dark::THEME.fill_opacity }),
+    dark: Some(Side { colors: dark::COLORS, words: dark::WORDS, fill_opacity: dark::THEME.fill_opacity }),
     ..light::THEME
 };
