@@ -23,11 +23,11 @@ pub(crate) struct MotionOptions {
     #[arg(long, group = InTime::GROUP)]
     motion: bool,
     /// How many pictures the way has, up to 600; default: 40
-    #[arg(long, requires = "motion", value_name = "N",
+    #[arg(long, requires = "motion", conflicts_with = "steps", value_name = "N",
         value_parser = clap::value_parser!(u16).range(2..=MOST_FRAMES))]
     frames: Option<u16>,
     /// How many pictures a second shows, up to 50; default: 20
-    #[arg(long, requires = "motion", value_name = "N", value_parser = fps)]
+    #[arg(long, requires = "motion", conflicts_with = "steps", value_name = "N", value_parser = fps)]
     fps: Option<f64>,
 }
 

@@ -22,10 +22,10 @@ pub(crate) struct StepOptions {
         value_parser = PossibleValuesParser::new(STEP_FILES))]
     steps: Option<String>,
     /// The steps of an SVG are fragments of reveal.js
-    #[arg(long, requires = "steps")]
+    #[arg(long, requires = "steps", conflicts_with = "motion")]
     fragments: bool,
     /// Write what each step says below its picture, where no page tells it
-    #[arg(long, requires = "steps")]
+    #[arg(long, requires = "steps", conflicts_with = "motion")]
     pub(crate) words: bool,
     /// Seconds that an animation shows each step, or the end of a motion; default: as long as the step's
     /// sentence takes to read, 2 for a motion

@@ -90,13 +90,19 @@ impl Expected {
         let size = scale_of(query.a, b);
         let ours = Ours::of(query, answer, closest);
         let contact = ours.contact.as_ref();
+        let outcome = self.outcome.zip(Verdict::of(answer)).map(<[Verdict; 2]>::from);
+        // When bodies touch says nothing of when others are nearest.
+        let is_other =
+            outcome.is_some_and(|[theirs, ours]| (theirs == Verdict::Miss) != (ours == Verdict::Miss));
         Some(Off {
             size,
-            outcome: self.outcome.zip(Verdict::of(answer)).map(<[Verdict; 2]>::from),
+            outcome,
             separation: beyond(self.separation, ours.separation),
-            time: beyond(self.time, ours.time).map(|off| match (self.time, &ours.separation) {
-                (Some(t), Some(least)) if closest.is_some() && is_as_near([query.a, b], t, least) => 0.0,
-                _ => off,
+            time: beyond(self.time.filter(|_| !is_other), ours.time).map(|off| {
+                match (self.time, &ours.separation) {
+                    (Some(t), Some(least)) if closest.is_some() && is_as_near([query.a, b], t, least) => 0.0,
+                    _ => off,
+                }
             }),
             normal_deg: self.normal.zip(contact).map(|(n, c)| normal_off([query.a, b], n, c, size)),
             points: self

@@ -12,7 +12,7 @@ use super::question::is_of_a_moment;
 phrases! {
     /// For a box: the bodies.
     BOX: "Which axis-aligned box bounds *?",
-        "Welche achsparallele Box umschließt *?",
+        "Welche achsenparallele Box umschließt *?",
         "Quelle boîte alignée sur les axes englobe * ?",
         "¿Qué caja alineada con los ejes contiene *?";
     /// For a verdict.
@@ -107,7 +107,7 @@ mod tests {
         );
         told(
             "lang = 'de'\nquery = { kind = 'bounds', of = ['wall'] }",
-            "Die Frage: Welche achsparallele Box umschließt wall? Algorithmus: extremes.",
+            "Die Frage: Welche achsenparallele Box umschließt wall? Algorithmus: extremes.",
         );
     }
 

@@ -339,4 +339,17 @@ mod tests {
         assert_eq!(line(-5.0, 11.0, 20.0, 11.0), 0.0);
         assert_eq!(line(-5.0, -9.0, -1.0, 20.0), 0.0);
     }
+
+    #[test]
+    fn what_is_too_small_once_a_panel_is_drawn_smaller_is_enlarged() {
+        let text = "lang = 'es'
+            shapes.jugador_principal = { kind = 'capsule', points = [[0, -0.5], [0, 0.5]], radius = 0.35,
+                position = [0.1, 0.3], velocity = [2, 0] }
+            shapes.'muro de piedra' = { kind = 'box', half_extents = [0.5, 2], position = [0.8, 0] }
+            query = { kind = 'time-of-impact', of = ['jugador_principal', 'muro de piedra'] }";
+        let scene = crate::scene::open_text("wall", text).unwrap().scene;
+        let plan = crate::figure::plan(&scene).unwrap();
+        let figure = crate::figure::draw(&plan, plan.theme, "wall");
+        assert_eq!(figure.insets.len(), 2, "{:?}", figure.warnings);
+    }
 }

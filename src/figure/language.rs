@@ -104,7 +104,7 @@ pub(crate) static WORDS: &[Row] = &rows([
     ["at least $*", "$\\ge *", "mindestens $*", "au moins $*", "al menos $*"],
     ["centres $*$ apart", "$*$", "Mittenabstand $*$", "centres distants de $*$", "los centros distan $*$"],
     ["$*$, longer", "$*$", "$*$, länger", "$*$, plus long", "$*$, más largo"],
-    ["their points $*$ apart", "$*$", "ihre Punkte $*$ entfernt", "leurs points à $*$", "sus puntos a $*$"],
+    ["their points $*$ apart", "$*$", "Abstand ihrer Punkte $*$", "leurs points à $*$", "sus puntos a $*$"],
     ["any direction", "", "jede Richtung", "toute direction", "cualquier dirección"],
     ["one of several", "", "eine von mehreren", "une parmi plusieurs", "una de varias"],
     [

@@ -166,7 +166,9 @@ impl PanelPlan<'_> {
             let context = self.context(scene, runs);
             self.sketch_inset(&inset, sketched, (&context, theme)).points
         };
-        if self.inset(sketched, None).is_none_or(|inset| drawn(inset) > MOST_ENLARGED) {
+        // Where labels want more room the panel is drawn smaller: what is nearly too small here is so there.
+        let elsewhere = Rect { x0: 0.0, y0: 0.0, x1: 0.0, y1: 0.0 };
+        if self.inset(sketched, Some(elsewhere)).is_none_or(|inset| drawn(inset) > MOST_ENLARGED) {
             self.source.to_mut().inset = None;
         }
     }

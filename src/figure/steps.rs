@@ -78,7 +78,7 @@ pub(super) fn numbered(
         let goes_on = told.get(i + 1).is_some_and(|next| this.prepares(next));
         is_open = goes_on && !this.ends;
     }
-    if let ([_, .., last], Some(end)) = (&mut steps[..], untold((scene, voice), &runs, &cues)) {
+    if let ([.., last], Some(end)) = (&mut steps[..], untold((scene, voice), &runs, &cues)) {
         let again = said_again((scene, voice), &runs);
         last.sentences.retain(|said| *said != end && again.as_ref() != Some(said));
         last.sentences.push(end);

@@ -221,7 +221,7 @@ mod tests {
         let mast = "kind = 'box', half_extents = [1, 1], position = [4, 1], velocity = [-1, 0]";
         let all = steps(rotor, mast, "kind = 'motion-bound'");
         let said: String = all.iter().flat_map(|step| step.sentences.clone()).collect();
-        assert!(said.contains("No point of A turns farther than L = "), "{said}");
+        assert!(said.contains("Turning moves no point of A farther than L = "), "{said}");
         assert!(!said.contains("L = θ r = 0."), "{said}");
     }
 

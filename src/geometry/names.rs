@@ -18,8 +18,8 @@ pub struct Names {
     b: Option<String>,
     /// Which of them are circles: their only vertex is a centre.
     circles: [bool; 2],
-    /// Whether one of them has a radius.
-    has_radius: bool,
+    /// Which of them have a radius.
+    rounds: [bool; 2],
 }
 
 impl Default for Names {
@@ -37,7 +37,7 @@ impl Names {
     /// ```
     #[must_use]
     pub fn new(a: &str, b: Option<&str>) -> Self {
-        Self { a: a.to_owned(), b: b.map(str::to_owned), circles: [false; 2], has_radius: false }
+        Self { a: a.to_owned(), b: b.map(str::to_owned), circles: [false; 2], rounds: [false; 2] }
     }
 
     /// With which of the two bodies are circles, whose only vertex is called a centre.
@@ -45,14 +45,19 @@ impl Names {
         Self { circles, ..self }
     }
 
-    /// With whether one of the two bodies has a radius: what is told of cores is then not all.
-    pub(crate) fn of_round(self, has_radius: bool) -> Self {
-        Self { has_radius, ..self }
+    /// With which of the two bodies have a radius: what is told of cores is then not all.
+    pub(crate) fn of_rounds(self, rounds: [bool; 2]) -> Self {
+        Self { rounds, ..self }
     }
 
     /// Whether a body is known to have a radius.
     pub(crate) fn has_radius(&self) -> bool {
-        self.has_radius
+        self.rounds.contains(&true)
+    }
+
+    /// Whether this body is known to have one.
+    pub(crate) fn is_round(&self, side: Side) -> bool {
+        self.rounds[usize::from(side == Side::B)]
     }
 
     /// Whether a body is known to be a circle.

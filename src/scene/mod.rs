@@ -199,7 +199,7 @@ impl Scene {
         let shapes = [0, 1].map(|i| body(i).map(|(_, body)| &body.shape));
         let is_round = shapes.map(|shape| shape.is_some_and(|shape| shape.radius > 0.0));
         let is_point = shapes.map(|shape| shape.is_some_and(|shape| shape.vertices.len() == 1));
-        names.of_circles([0, 1].map(|i| is_round[i] && is_point[i])).of_round(is_round.contains(&true))
+        names.of_circles([0, 1].map(|i| is_round[i] && is_point[i])).of_rounds([0, 1].map(|i| is_round[i]))
     }
 
     /// The question with its bodies at another moment: `time` counts from 0, the start of the motion, to 1,

@@ -58,7 +58,7 @@ impl Paragraph {
         }
         let space = words::space(style);
         let (chunks, chunk) = (Vec::new(), Draft::default());
-        let mut setter = Setter { style, newlines, space, role: None, chunks, chunk, is_in_a_point: false };
+        let mut setter = Setter { style, newlines, space, role: None, chunks, chunk, is_held: false };
         for piece in pieces(markup)? {
             match piece {
                 Piece::Formula(offset, latex) => {
@@ -132,8 +132,9 @@ struct Setter<'m> {
     chunks: Vec<Chunk>,
     /// What was set since.
     chunk: Draft,
-    /// Whether what was set last opens a point, and a space stands behind it.
-    is_in_a_point: bool,
+    /// Whether no line ends at the space behind what was set last: in a point, and within what French puts
+    /// between words and their marks.
+    is_held: bool,
 }
 
 impl Setter<'_> {
@@ -143,8 +144,10 @@ impl Setter<'_> {
         while let Some(&(_, character)) = rest.peek() {
             if character.is_ascii_whitespace() {
                 rest.next();
-                self.is_in_a_point = opens && character == ' ';
-                if self.is_in_a_point {
+                let closes =
+                    rest.peek().is_some_and(|&(_, next)| matches!(next, ';' | ':' | '?' | '!' | '»'));
+                self.is_held = (opens || closes) && character == ' ';
+                if self.is_held {
                     continue;
                 }
                 self.end_chunk();
@@ -158,7 +161,7 @@ impl Setter<'_> {
             let word = word.inspect(|&(_, c)| read.push(c));
             let style = if self.role.is_some() { Style::semibold(self.style.size) } else { self.style };
             let set = words::set(word, style)?;
-            opens = opens_a_point(&read);
+            opens = opens_a_point(&read) || read == "«";
             self.put(read, set.glyphs, Vec::new(), set.width);
         }
         Ok(())
@@ -175,7 +178,7 @@ impl Setter<'_> {
         let run = Run { text, x: [0.0, width], size: self.style.size };
         let runs = Some(run).filter(|run| !run.text.is_empty()).into_iter().collect();
         let set = Draft { glyphs, rules, tints: tint.into_iter().collect(), runs, width };
-        let space = if std::mem::take(&mut self.is_in_a_point) { self.space } else { 0.0 };
+        let space = if std::mem::take(&mut self.is_held) { self.space } else { 0.0 };
         if space > 0.0 { self.chunk.append(&set, space) } else { self.chunk.join(&set) }
     }
 
@@ -307,6 +310,15 @@ mod tests {
         let narrow = wrap("a $x$.", style, 1.0).unwrap();
         assert_eq!(narrow.len(), 2);
         assert_eq!(narrow[1].glyphs.len(), 2);
+    }
+
+    #[test]
+    fn no_line_begins_with_a_mark_that_french_sets_apart() {
+        let style = Style::regular(14.0);
+        let text = "la roue $A$ ; est-ce « non » ? ou :\noui : bien";
+        let read = |line: &Line| line.runs.iter().map(|run| run.text.as_str()).collect::<String>();
+        let narrow: Vec<String> = wrap(text, style, 1.0).unwrap().iter().map(read).collect();
+        assert_eq!(narrow, ["la", "roue", "A ;", "est-ce", "« non » ?", "ou :", "oui :", "bien"]);
     }
 
     #[test]

@@ -99,6 +99,9 @@ fn a_motion_is_no_figure_in_steps_and_has_pictures_within_limits() {
     for wrong in [
         &["--motion", "--steps"][..],
         &["--motion", "--live"],
+        &["--motion", "--words"],
+        &["--motion", "--fragments"],
+        &["--steps", "--frames", "3"],
         &["--frames", "3"],
         &["--hold", "1"],
         &["--motion", "--frames", "1"],

@@ -90,7 +90,7 @@ const OFF: AnswerField = AnswerField {
             "an `expected` that has it",
             "time",
             "how far it is outside the bounds, negative before them, of bodies that overlap at the start \
-             from 0; null where ours has none",
+             from 0; null where ours has none, or one is of a hit and the other of a miss",
         ),
         AnswerField::of(
             "an `expected` that has it",

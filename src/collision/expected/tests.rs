@@ -1,5 +1,5 @@
 use super::*;
-use crate::collision::tests::bodies::{boxed, placed, polygon};
+use crate::collision::tests::bodies::{boxed, moving, placed, polygon};
 use crate::collision::{ALGORITHMS, QueryKind, closest_approach};
 use crate::geometry::Angle;
 
@@ -79,6 +79,23 @@ fn of_a_hit_the_contact_is_right_and_of_a_miss_any_time_as_near() {
     for (time, off) in [(0.0, 0.0), (1.0, 0.0), (1.5, 1.5)] {
         let expected = Expected { time: Some(time), ..Expected::default() };
         assert_eq!(told(&still, &rest, expected).time, Some(off), "{time}");
+    }
+}
+
+#[test]
+fn the_time_of_a_hit_is_not_held_against_that_of_a_miss() {
+    let a = moving(boxed("box", 1.0, 1.0), [10.0, 0.0], 0.0);
+    for (y, ours) in [(0.0, Verdict::Hit), (4.0, Verdict::Miss)] {
+        let b = placed(boxed("box", 1.0, 1.0), 6.0, y, 0.0);
+        let kind = QueryKind::LinearSweep;
+        let query = Query { kind, a: &a, b: Some(&b), time: 0.0, tolerance: 0.0, max_iterations: 1 };
+        let answer = query.answer().unwrap();
+        let closest = closest_approach(&query, &answer);
+        for theirs in [Verdict::Hit, Verdict::Miss] {
+            let expected = Expected { outcome: Some(theirs), time: Some(0.9), ..Expected::default() };
+            let off = expected.off(&query, &answer, closest.as_ref()).unwrap();
+            assert_eq!(off.time.is_some(), theirs == ours, "{theirs:?}, {ours:?}");
+        }
     }
 }
 

@@ -25,7 +25,7 @@ phrases! {
     /// By which angle a body is turned.
     TURNED: ", turned by *", ", um * gedreht", ", avec une rotation de *", ", con un giro de *";
     /// How a body moves from the start to the end.
-    MOVING: ", moving by *", ", bewegt sich um *", ", se déplaçant de *", ", que se mueve por *";
+    MOVING: ", moving by *", ", bewegt sich um *", ", se déplaçant de *", ", que se desplaza *";
     /// How a body turns from the start to the end.
     TURNING: ", turning by *", ", dreht sich um *", ", tournant de *", ", que gira *";
     /// Two things that are named together.

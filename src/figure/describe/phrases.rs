@@ -3,6 +3,8 @@
 use crate::trace::phrases;
 
 phrases! {
+    /// A title and what came out.
+    TITLED: "*: *", "*: *", "* : *", "*: *";
     /// A sentence of a later moment.
     AT_MOMENT: "at t = * *", "bei t = *: *", "à t = * : *", "en t = *: *";
     /// A bounding box: whose, from, to.
@@ -121,7 +123,7 @@ phrases! {
         "* Hay dos puntos de contacto.";
     /// A hit: bodies, time, place.
     HIT: "* first touches * at t = *, at *.",
-        "* berührt * zum ersten Mal bei t = *, in *.",
+        "* berührt * zum ersten Mal bei t = *, im Punkt *.",
         "* touche * pour la première fois à t = *, en *.",
         "* toca a * por primera vez en t = *, en *.";
     /// A hit edge to edge: bodies, time, from where to where.

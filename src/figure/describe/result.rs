@@ -20,8 +20,8 @@ use super::phrases::{
     CLOSEST_FIRST, CLOSEST_WHILE, CONTACTS_0, CONTACTS_1, CONTACTS_2, DEEP, DEEP_BY_ROUNDING, ENDS_EARLY,
     HIT, HIT_ALONG, HIT_SOMEWHERE, MISS, NO_FARTHER, NO_FARTHER_BY, NO_NEARER, NO_NEARER_BY, NO_NEARER_THAN,
     NO_OVERLAP, NO_OVERLAP_ALONG, NO_OVERLAP_BY, OVERLAP, OVERLAP_AND, OVERLAP_FIRST, PUSH, PUSH_ANY,
-    PUSH_OF_MANY, ROUNDING, STALLED, STAY, STEP_CAP, TOLERANCE, TOUCH, TOUCH_FIRST, TOUCH_OF_MANY, UNDECIDED,
-    UNRESOLVED, UNRESOLVED_DEEP, UNSAID,
+    PUSH_OF_MANY, ROUNDING, STALLED, STAY, STEP_CAP, TITLED, TOLERANCE, TOUCH, TOUCH_FIRST, TOUCH_OF_MANY,
+    UNDECIDED, UNRESOLVED, UNRESOLVED_DEEP, UNSAID,
 };
 
 /// How fast bodies must come nearer to be said to, in parts of how fast they pass each other: far above what
@@ -50,6 +50,11 @@ pub(crate) struct Account<'r> {
 }
 
 impl<'r> Account<'r> {
+    /// The result behind a title.
+    pub(super) fn titled(&self, title: &str) -> String {
+        self.speech.say(&TITLED, &[title, &self.result()])
+    }
+
     /// A run of a scene; a bare verdict is told with the separation that the figure has of that moment, and
     /// what is undecided with that of the end.
     pub(crate) fn of(scene: &'r Scene, runs: &Runs, run: &'r Run) -> Self {

@@ -8,6 +8,6 @@ pub(crate) fn short(title: Option<&str>, told: &Account) -> String {
     if title.trim_end().ends_with(['.', '!', '?', '…', ':', ';']) {
         format!("{} {}", title.trim_end(), told.sentence())
     } else {
-        format!("{title}: {}", told.result())
+        told.titled(title)
     }
 }

@@ -216,16 +216,17 @@ pub(super) fn looked(context: &Context, k: usize) -> Option<Cue> {
     context.cue(|event| matches!(event, Event::Advanced { step, .. } if *step == k))
 }
 
-/// The step with which one is told whose marks come in steps: itself, or where the eye can't tell it from
-/// the last one, that.
-fn told_with(sketch: &Sketch, chart: &Chart, all: &[Step], k: usize) -> usize {
+/// How many steps the eye can tell from the last one, which stands for those that come later.
+fn told_apart(sketch: &Sketch, chart: &Chart, all: &[Step]) -> usize {
     let at = |step: &Step| chart.place(step.time, step.separation);
-    let step = all.get(k.saturating_sub(1)).zip(all.last()).map(|(step, last)| at(step).distance(at(last)));
-    if step.is_some_and(|apart| sketch.on_page(apart) < APART) { all.len() } else { k }
+    let Some(last) = all.last().map(at) else { return 0 };
+    let is_near = |step: &Step| sketch.on_page(at(step).distance(last)) < APART;
+    all.iter().position(is_near).unwrap_or_default()
 }
 
 /// Draws how s would fall at the fastest from each step, to where the next one begins.
 fn worst(sketch: &mut Sketch, (context, chart): (&Context, &Chart), all: &[Step], values: bool) {
+    let apart = told_apart(sketch, chart, all);
     for (k, step) in all.iter().take(MOST).enumerate() {
         let Some(next) = step.next.filter(|t| *t <= chart.most.x) else {
             if k + 1 == all.len() {
@@ -233,7 +234,7 @@ fn worst(sketch: &mut Sketch, (context, chart): (&Context, &Chart), all: &[Step]
             }
             continue;
         };
-        let told = told_with(sketch, chart, all, k + 1);
+        let told = if k < apart { k + 1 } else { all.len() };
         let part = |cue: Cue| if told == k + 1 { cue.part(advanced::NEXT) } else { cue };
         sketch.since(looked(context, told).map(part));
         let (from, to) = (chart.place(step.time, step.separation), chart.place(next, 0.0));
@@ -246,7 +247,7 @@ fn worst(sketch: &mut Sketch, (context, chart): (&Context, &Chart), all: &[Step]
             sketch.label(Label { lines, ..label }.rank(Rank::Word).size(Size::Note));
         }
         if let Some(then) = all.get(k + 1).filter(|_| k + 1 < MOST) {
-            let told = told_with(sketch, chart, all, k + 2);
+            let told = if k + 1 < apart { k + 2 } else { all.len() };
             sketch.since(looked(context, told));
             let up = chart.place(then.time, then.separation);
             sketch.part("look").weight(Weight::Background).line(to, up, Pen::dimension(Role::Now));
@@ -266,7 +267,8 @@ fn to_the_end(sketch: &mut Sketch, (context, chart): (&Context, &Chart), step: &
     }
     let [from, to] =
         [(step.time, step.separation), (chart.most.x, left)].map(|(time, s)| chart.place(time, s));
-    sketch.since(context.answered()).part("worst").weight(Weight::Background);
+    let told = context.cue(|event| matches!(event, Event::Advanced { .. }));
+    sketch.since(told.map(|cue| cue.part(advanced::NEXT))).part("worst").weight(Weight::Background);
     sketch.line(from, to, Pen::construction());
     let end = chart.place(chart.most.x, 0.0);
     chart.tick(sketch.part("end"), chart.most.x, Role::Muted);
@@ -331,8 +333,9 @@ fn marks(
     let near = |room: f64| among.iter().filter(|step| end - chart.along(sketch, step.time) < room).count();
     let room_at_end = if near(gap) > 0 { wider } else { gap };
     let together = near(room_at_end);
+    let apart = told_apart(sketch, chart, all);
     for (k, step) in (1..).zip(all.iter().take(MOST)) {
-        let told = told_with(sketch, chart, all, k);
+        let told = if k <= apart { k } else { all.len() };
         sketch.since(context.known(&When::Step(told)));
         let on_axis = chart.place(step.time, 0.0);
         let on_curve = chart.place(step.time, step.separation);

@@ -216,8 +216,9 @@ fn lengths(sketch: &mut Sketch, context: &Context, touching: bool) {
     let side = perp(*n);
     let onto = context.in_space(side) - context.in_space(DVec2::ZERO);
     let down = if onto.y > 0.0 { -side } else { side };
-    let run = context.separation_at(context.time);
-    sketch.since(run.and_then(|run| run.last_cue(|e| matches!(e, Event::CirclesCompared { .. }))));
+    let is_told = |event: &Event| matches!(event, Event::CirclesCompared { .. });
+    let beside = || context.separation_at(context.time)?.last_cue(is_told);
+    sketch.since(context.cue(is_told).or_else(beside));
     let tracks = tracks(context, &compared, touching);
     if answer.separation < -sketch.px(UNSEEN) && !touching {
         let track = |i: f64| down * (radii[0].max(radii[1]) + sketch.px(TRACK * (i + FIRST)));
@@ -367,5 +368,16 @@ mod tests {
             assert!(lengths.iter().any(|l| (l - wanted).abs() < 0.01), "{wanted} in {lengths:?}");
         }
         assert!(paths(&figure.drawing.items, "shared").is_empty());
+    }
+
+    #[test]
+    fn circles_whose_overlap_is_asked_have_the_step_with_their_lengths() {
+        let text = "shapes.A = { kind = 'circle', radius = 2 }
+            shapes.B = { kind = 'circle', radius = 3, position = [3, 4] }
+            query = { kind = 'overlap', of = ['A', 'B'], algorithm = 'circles' }";
+        let scene = open_text("touching", text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let steps = crate::figure::draw_in_steps(&plan, plan.theme, "touching").drawing.steps;
+        assert!(steps.iter().any(|step| step.sentences.join(" ").contains("squared")), "{steps:?}");
     }
 }

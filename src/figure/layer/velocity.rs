@@ -11,7 +11,8 @@ use crate::figure::sketch::{Anchor, Label, Outline, Pen, Rank, Sketch};
 use crate::figure::text::{Quantity, in_panel, number};
 use crate::geometry::{Body, DVec2, Enclosure, Side};
 use crate::scene::{NOTES, Space, When};
-use crate::trace::phrase;
+use crate::trace::step::turned;
+use crate::trace::{Event, phrase};
 
 use super::held;
 use super::normal::scaled;
@@ -119,6 +120,7 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
                 hit,
                 scale,
                 known,
+                bounded: None,
             },
         );
         held::closing_velocity(sketch, context, (v * scale, scale));
@@ -135,7 +137,11 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
         let text = text(&symbol, in_panel(context, v), options, scale * until.unwrap_or(1.0));
         let length = length(&symbol, v, options);
         let from = pose.point(local);
-        let motion = Motion { key, text, length, way, from, v, now: context.time, hit, scale, known };
+        // How far a body moves is what a question about its motion is after.
+        let is_bound = |event: &Event| matches!(event, Event::MotionBounded { body, .. } if *body == side);
+        let bounded = length.as_ref().and(context.cue(is_bound)).map(|cue| cue.part(turned::BOUND));
+        let now = context.time;
+        let motion = Motion { key, text, length, from, v, way, now, hit, bounded, scale, known };
         arrow(sketch, options, &motion);
         // An arrow that the hit cuts off ends there, whatever the velocity is.
         if !is_cut(options, &motion) {
@@ -195,6 +201,8 @@ struct Motion {
     now: f64,
     /// The time of the hit with its bounds, where there is one.
     hit: Option<Enclosure>,
+    /// With what its label comes; none for one that is there from the start.
+    bounded: Option<Cue>,
     /// Drawn length of a unit of velocity, world units.
     scale: f64,
     /// With what the hit is known.
@@ -246,7 +254,7 @@ fn arrow(sketch: &mut Sketch, options: &Options, m: &Motion) {
             sketch.area(&Outline::polyline(way), None, Some(pen));
         }
     }
-    sketch.since(None);
+    sketch.since(m.bounded);
     let lines = std::iter::once(m.text.clone()).chain(m.length.clone()).collect();
     sketch.label(Label { lines, ..Label::new(m.key, "", Anchor::tip(from, tip), role) });
     if let Some((way, time)) = until {

@@ -21,11 +21,12 @@
 //! What is not given is moved out of the way of what is ([`adapted`](super::adapted)); whether readers can
 //! tell the given colours apart is asked of each figure ([`fitness`](super::fitness)).
 
-use std::collections::BTreeMap;
 use std::fmt;
+use std::marker::PhantomData;
 use std::ops::Range;
 
 use serde::Deserialize;
+use serde::de::{Deserializer, MapAccess, Visitor};
 use toml::de::{DeTable, DeValue};
 
 use crate::drawing::{Color, Role};
@@ -36,8 +37,43 @@ use super::strokes::{LineKind, Strokes};
 use super::type_sizes::{TextKind, TypeSizes};
 use super::{Side, THEMES, Theme, find, index};
 
+/// A table of the file: its keys, each with what is written there. A map of the standard library would add
+/// 2 kB to the module of live pages, packed.
+struct Keys<T>(Vec<(String, T)>);
+
+impl<T> Default for Keys<T> {
+    fn default() -> Self {
+        Self(Vec::new())
+    }
+}
+
+impl<'de, T: Deserialize<'de>> Deserialize<'de> for Keys<T> {
+    fn deserialize<D: Deserializer<'de>>(table: D) -> Result<Self, D::Error> {
+        table.deserialize_map(OfKeys(PhantomData))
+    }
+}
+
+/// Reads a table.
+struct OfKeys<T>(PhantomData<T>);
+
+impl<'de, T: Deserialize<'de>> Visitor<'de> for OfKeys<T> {
+    type Value = Keys<T>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a table")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut table: A) -> Result<Self::Value, A::Error> {
+        let mut keys = Vec::new();
+        while let Some(entry) = table.next_entry()? {
+            keys.push(entry);
+        }
+        Ok(Keys(keys))
+    }
+}
+
 /// `#RRGGBB` by the word of its role, as written.
-type Written = BTreeMap<String, String>;
+type Written = Keys<String>;
 
 /// A theme file, as written.
 #[derive(Deserialize)]
@@ -54,10 +90,10 @@ struct File {
     dark: Option<Written>,
     /// Sizes of letters by what a text is, page pixels an em.
     #[serde(default)]
-    text: BTreeMap<String, f64>,
+    text: Keys<f64>,
     /// Widths of lines by what a line is, page pixels.
     #[serde(default)]
-    stroke: BTreeMap<String, f64>,
+    stroke: Keys<f64>,
 }
 
 /// Why a theme file is refused.
@@ -219,11 +255,11 @@ fn theme(file: File) -> Result<Theme, ThemeError> {
         None => base(given[index(Role::Background)]),
     };
     let mut theme = Theme { name: "user", about: "from a file", ..base.clone() };
-    for (key, size) in file.text {
+    for (key, size) in file.text.0 {
         let kind = known("text", key, &TextKind::ALL.map(|kind| (kind.name(), kind)))?;
         theme.text = theme.text.with(kind, within(&format!("text.{}", kind.name()), size, TypeSizes::RANGE)?);
     }
-    for (key, width) in file.stroke {
+    for (key, width) in file.stroke.0 {
         let kind = known("stroke", key, &LineKind::ALL.map(|kind| (kind.name(), kind)))?;
         let width = within(&format!("stroke.{}", kind.name()), width, Strokes::RANGE)?;
         theme.strokes = theme.strokes.with(kind, width);
@@ -247,7 +283,7 @@ fn theme(file: File) -> Result<Theme, ThemeError> {
 /// The colours that are given, in the order of [`Role::ALL`].
 fn colors(table: &'static str, written: Written) -> Result<[Option<Color>; 10], ThemeError> {
     let mut colors = [None; 10];
-    for (role, written) in written {
+    for (role, written) in written.0 {
         let known = known(table, role.clone(), &Role::ALL.map(|role| (role.name(), role)))?;
         let color = color(&written).ok_or(ThemeError::NotAColor { table, role, written })?;
         colors[index(known)] = Some(color);

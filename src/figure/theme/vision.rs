@@ -90,7 +90,7 @@ mod tests {
     use super::*;
     use crate::drawing::{Role, blend};
     use crate::figure::theme::contrast::contrast;
-    use crate::figure::theme::{Side, THEMES, Theme, nearest::readable};
+    use crate::figure::theme::{Side, THEMES, Theme};
 
     /// Every theme, and the dark side of those that have one.
     fn palettes() -> Vec<(String, Theme)> {
@@ -160,6 +160,9 @@ mod tests {
         }
     }
 
+    /// The least contrast of words on bodies and on the difference: that of large text (WCAG 2.2).
+    const ON_FILL: f64 = 3.0;
+
     #[test]
     fn every_text_colour_is_readable_on_the_page_and_ink_on_every_fill() {
         let mut bad = Vec::new();
@@ -167,8 +170,15 @@ mod tests {
             let page = theme.color(Role::Background);
             for role in SHOWN.into_iter().chain([Role::Ink, Role::Muted]) {
                 let ratio = contrast(theme.color(role), page);
-                if ratio < 4.5 || readable(theme.color(role), &[page], 4.5) != Some(theme.word_color(role)) {
+                if ratio < 4.5 || contrast(theme.word_color(role), page) < ratio {
                     bad.push(format!("{name}: {role:?} on the page {ratio:.2}"));
+                }
+                for area in [Role::A, Role::B, Role::Difference] {
+                    let fill = blend(theme.color(area), theme.fill_opacity, page);
+                    let ratio = contrast(theme.word_color(role), fill);
+                    if ratio < ON_FILL {
+                        bad.push(format!("{name}: {role:?} on {area:?} {ratio:.2}"));
+                    }
                 }
             }
             for role in SHOWN {

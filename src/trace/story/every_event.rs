@@ -240,6 +240,6 @@ fn a_sentence_in_german_has_commas_and_semicolons() {
     let cut = Event::EdgeCut { plane: P, end: Q, at: P };
     assert_eq!(
         sentence_in(&cut, german),
-        "Die Ebene bei (1,5; -2) schneidet das Ende (3; 0,25) ab: Es endet bei (1,5; -2)."
+        "Die Ebene bei (1,5; -2) schneidet das Ende (3; 0,25) ab: Die Kante endet nun bei (1,5; -2)."
     );
 }

@@ -337,7 +337,7 @@ fn bounds(
             text.push_str("; ");
             text.push_str(voice.tongue.word(side));
             text.push_str(": ");
-            text.push_str(&voice.list(vertices));
+            text.push_str(&voice.farthest(of, vertices));
         }
     }
     text.push('.');

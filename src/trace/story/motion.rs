@@ -3,9 +3,9 @@
 
 use super::hand::Hand;
 use super::phrases::moving::{
-    AGREES, AT_TIME, BEGINS, BOUND, CLOSEST, ENDS, ENTERED, FACES_AWAY, INCOMPARABLE, MISSED, NORMAL_BY, OFF,
-    OFF_BY, ON_TO, OUTCOME_BY, OVERLAP_STEP, PATH, PATHS, POINT_BY, RAY, RAY_AT, SEPARATION_BY, STEP, STOPS,
-    SWEPT, THAN, TIME_BY, WITH_TURNING,
+    AGREES, AT_TIME, BEGINS, BOUND, CLOSEST, CROSSED, ENDS, ENTERED, FACES_AWAY, INCOMPARABLE, MISSED,
+    NORMAL_BY, OFF, OFF_BY, ON_TO, OUTCOME_BY, OVERLAP_STEP, PATH, PATHS, POINT_BY, RAY, RAY_AT,
+    SEPARATION_BY, STEP, STOPS, SWEPT, THAN, TIME_BY, WITH_TURNING,
 };
 use super::words::Voice;
 use crate::geometry::{DVec2, Feature, MOST_EPS, Side};
@@ -26,7 +26,8 @@ pub(super) fn ray(
         Culling::Missed => &MISSED,
         Culling::Hit => &ENTERED,
     };
-    let when = time.map_or_else(String::new, |t| voice.say(&AT_TIME, &[&voice.number(t)]));
+    let at = if outcome == Culling::Missed { &CROSSED } else { &AT_TIME };
+    let when = time.map_or_else(String::new, |t| voice.say(at, &[&voice.number(t)]));
     let (part, body) = (voice.part((side, feature)), voice.of(side));
     let (start, came) = (voice.point(from), voice.word(came));
     if from == to {
@@ -135,5 +136,5 @@ pub(super) fn motion(
     let path = if voice.names.of(Side::B).is_empty() { &PATH } else { &PATHS };
     let path = voice.say(path, &[&voice.number(linear)]);
     let [radius, theta, arc] = [radius, theta, arc].map(|x| voice.number(x));
-    voice.say(&BOUND, &[&voice.of(side), &theta, &radius, &voice.list(farthest), &arc, &path])
+    voice.say(&BOUND, &[&voice.of(side), &theta, &radius, &voice.farthest(Some(side), farthest), &arc, &path])
 }

@@ -8,7 +8,7 @@ use super::motion::with_turning;
 use super::phrases::events::{EDGES, UNBUILT};
 use super::phrases::steps as words;
 use super::{Voice, sentence_in};
-use crate::geometry::DVec2;
+use crate::geometry::{DVec2, Side};
 use crate::trace::tongue::Phrase;
 use crate::trace::{Culling, Event, Goal, SupportVertex};
 
@@ -171,7 +171,7 @@ pub(crate) fn sentence_of_part(event: &Event, of: usize, voice: Voice) -> String
     match event {
         Event::BoundsFound { of: body, min, max, touching } => {
             let whose = body.map_or_else(|| voice.all(), |side| voice.of(side));
-            bounds_part(&whose, of, ([*min, *max], touching), voice)
+            bounds_part((*body, &whose), of, ([*min, *max], touching), voice)
         }
         Event::Clamped { body, v, half_extents, clamped, closest, d, .. } => {
             let (own, other) = (voice.of(*body), voice.of(body.other()));
@@ -191,9 +191,10 @@ pub(crate) fn sentence_of_part(event: &Event, of: usize, voice: Voice) -> String
             let own = voice.of(*body);
             match of {
                 turned::FARTHEST => {
-                    let vertex = first(vertices, voice);
+                    let vertex = first(Some(*body), vertices, voice);
                     voice.say(&words::FARTHEST_BY, &[&own, &voice.number(*radius), &vertex])
                 }
+                _ if *theta == 0.0 => voice.say(&words::TURNS_NOT, &[&own]),
                 turned::ARC => voice.say(&words::TURNS, &[&own, &voice.number(*theta)]),
                 _ => voice.say(&words::NO_FARTHER, &[&own, &voice.at_most(*arc)]),
             }
@@ -257,13 +258,13 @@ static SIDES: [(&Phrase, &Phrase); 4] = [
 
 /// A part of the search for the box of `whose`.
 fn bounds_part(
-    whose: &str,
+    (side, whose): (Option<Side>, &str),
     of: usize,
     ([min, max], touching): ([DVec2; 2], &[Vec<SupportVertex>; 4]),
     voice: Voice,
 ) -> String {
     match (SIDES.get(of), touching.get(of)) {
-        (Some((_, phrase)), Some(vertices)) => voice.say(phrase, &[whose, &first(vertices, voice)]),
+        (Some((_, phrase)), Some(vertices)) => voice.say(phrase, &[whose, &first(side, vertices, voice)]),
         _ if of == bounds::CENTER => {
             let (center, half_extents) = (0.5 * (min + max), 0.5 * (max - min));
             voice.say(&words::CENTER_IS, &[&voice.point(center), &voice.point(half_extents)])
@@ -273,8 +274,8 @@ fn bounds_part(
 }
 
 /// The first of some vertices, and that there are more.
-fn first(vertices: &[SupportVertex], voice: Voice) -> String {
+fn first(side: Option<Side>, vertices: &[SupportVertex], voice: Voice) -> String {
     let Some(vertex) = vertices.first() else { return voice.word(&words::NO_VERTEX) };
-    let told = voice.vertex(vertex);
+    let told = voice.around(side, vertex);
     if vertices.len() > 1 { voice.say(&words::AMONG_OTHERS, &[&told]) } else { told }
 }

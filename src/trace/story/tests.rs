@@ -184,7 +184,7 @@ fn a_search_by_simplices_ends_with_the_distance_of_the_bodies_with_their_radii()
     };
     let last = |event, has_radius| {
         let trace = Trace { events: vec![simplex.clone(), event], left_out: 0 };
-        let told = super::story(&trace, &Names::default().of_round(has_radius));
+        let told = super::story(&trace, &Names::default().of_rounds([has_radius; 2]));
         told.lines().last().unwrap().to_owned()
     };
     let apart = improved(Goal::LeastPositive, 0.5);

@@ -3,8 +3,8 @@
 use super::hand::{Hand, number, short};
 use super::phrases::events::OUTCOMES;
 use super::phrases::{
-    AT_ANGLE, AWAY, BOTH, CENTER, EDGE, INSIDE, INSIDE_LINE, LESS, NEAR_LINE, OUTSIDE_LINE, SPAN, VERTEX,
-    VERTEX_AT,
+    AT_ANGLE, AWAY, BOTH, CENTER, EDGE, INSIDE, INSIDE_LINE, LESS, NEAR_LINE, OUTLINE_AROUND, OUTSIDE_LINE,
+    ROUNDING_AT, SPAN, VERTEX, VERTEX_AT,
 };
 use super::place::place;
 use crate::geometry::{DVec2, Enclosure, Feature, Names, Side, power_of_ten, read};
@@ -96,14 +96,25 @@ impl<'n> Voice<'n> {
 
     /// Vertices in words: "vertex 0 at (1, 2) and vertex 1 at (3, 4)".
     pub(super) fn list(self, vertices: &[SupportVertex]) -> String {
-        let mut all = vertices.iter().map(|vertex| self.vertex(vertex));
+        self.farthest(None, vertices)
+    }
+
+    /// What lies farthest of a body, at these vertices of its core: they, or what is around them where it
+    /// has a radius.
+    pub(super) fn farthest(self, side: Option<Side>, vertices: &[SupportVertex]) -> String {
+        let mut all = vertices.iter().map(|vertex| self.around(side, vertex));
         let first = all.next().unwrap_or_default();
         all.fold(first, |before, next| self.say(&BOTH, &[&before, &next]))
     }
 
-    /// A vertex and its place: "vertex 0 at (1, 2)".
-    pub(super) fn vertex(self, vertex: &SupportVertex) -> String {
-        self.say(&VERTEX_AT, &[&vertex.index.to_string(), &self.point(vertex.point)])
+    /// What lies farthest of a body at a vertex of its core.
+    pub(super) fn around(self, side: Option<Side>, vertex: &SupportVertex) -> String {
+        let (index, point) = (vertex.index.to_string(), self.point(vertex.point));
+        match side {
+            Some(side) if self.names.is_of_circle(side) => self.say(&OUTLINE_AROUND, &[&point]),
+            Some(side) if self.names.is_round(side) => self.say(&ROUNDING_AT, &[&index, &point]),
+            _ => self.say(&VERTEX_AT, &[&index, &point]),
+        }
     }
 
     /// Points, one after the other.

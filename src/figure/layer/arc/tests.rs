@@ -67,8 +67,11 @@ fn a_bound_comes_in_steps_from_the_farthest_point_to_the_answer() {
     };
     let (asked, told) = steps("['A']");
     assert_eq!(asked, "How far can a point of A move?");
-    let starts =
-        ["Farthest from the origin of A", "A turns by", "No point of A turns farther than L = θ r = 3.62492"];
+    let starts = [
+        "Farthest from the origin of A",
+        "A turns by",
+        "Turning moves no point of A farther than L = θ r = 3.62492",
+    ];
     assert!(
         told.len() == 3 && told.iter().zip(starts).all(|(told, start)| told.starts_with(start)),
         "{told:?}"
@@ -77,4 +80,30 @@ fn a_bound_comes_in_steps_from_the_farthest_point_to_the_answer() {
     let (asked, told) = steps("['A', 'B']");
     assert_eq!(asked, "By how much can points of A and B come nearer to each other?");
     assert!(told.last().unwrap().contains("come nearer to each other by more than 7.2"), "{told:?}");
+}
+
+#[test]
+fn what_lies_farthest_of_a_body_with_a_radius_is_no_vertex() {
+    let text = "shapes.A = { kind = 'capsule', points = [[-1, 0], [1.2, 0.3]], radius = 0.4,
+            angular_velocity_deg = 70 }
+        shapes.B = { kind = 'circle', center = [0.5, 0], radius = 0.3, position = [4, 1],
+            angular_velocity_deg = 45 }
+        query = { kind = 'motion-bound', of = ['A', 'B'] }";
+    let scene = open_text("bound", text).unwrap().scene;
+    let plan = plan(&scene).unwrap();
+    let steps = draw_in_steps(&plan, plan.theme, "bound").drawing.steps;
+    let said: String = steps.iter().flat_map(|step| step.sentences.clone()).collect();
+    assert!(said.contains("at r = 1.63693: the rounding of vertex 1 at"), "{said}");
+    assert!(said.contains("at r = 0.8: the outline around the centre at"), "{said}");
+}
+
+#[test]
+fn the_bound_of_a_body_that_does_not_turn_is_a_step() {
+    let text = "shapes.A = { kind = 'box', half_extents = [0.7, 0.3], velocity = [2, 1] }
+        query = { kind = 'motion-bound', of = ['A'] }";
+    let scene = open_text("bound", text).unwrap().scene;
+    let plan = plan(&scene).unwrap();
+    let steps = draw_in_steps(&plan, plan.theme, "bound").drawing.steps;
+    let [_, last] = &steps[..] else { panic!("{steps:?}") };
+    assert_eq!(last.sentences.join(" "), "A does not turn. No point of A travels farther than 2.24.");
 }

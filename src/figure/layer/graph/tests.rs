@@ -301,3 +301,16 @@ fn steps_that_the_eye_cannot_tell_from_the_last_one_come_with_it() {
     assert!(said.len() < 18 && said.iter().any(|said| said.contains("Steps in between")), "{said:#?}");
     assert!(said.last().unwrap().contains("it stops here"), "{said:#?}");
 }
+
+#[test]
+fn a_miss_tells_how_far_it_is_safe_before_its_closest_approach() {
+    let text = "shapes.A = { kind = 'box', half_extents = [1, 0.5], angular_velocity_deg = 120 }
+        shapes.B = { kind = 'circle', radius = 0.5, position = [-3, 2.4], velocity = [6, 0] }
+        query = { kind = 'time-of-impact', of = ['A', 'B'], algorithm = 'conservative-advancement' }";
+    let scene = open_text("s", text).unwrap().scene;
+    let plan = plan(&scene).unwrap();
+    let steps = draw_in_steps(&plan, plan.theme, "s").drawing.steps;
+    let place = |words: &str| steps.iter().position(|step| step.sentences.join(" ").contains(words));
+    let [safe, closest] = ["after the end", "come closest at"].map(place);
+    assert!(safe.is_some() && safe < closest, "{steps:#?}");
+}

@@ -99,7 +99,7 @@ phrases! {
         "* es un disco de radio * alrededor de *.";
     /// The difference of bodies of which one is round.
     ROUNDED: "* is rounded by a radius of *.",
-        "* ist mit einem Radius von * gerundet.",
+        "* ist mit einem Radius von * abgerundet.",
         "* a des coins arrondis d’un rayon de *.",
         "* tiene esquinas redondeadas con un radio de *.";
     /// The point of an edge that is nearest to the origin, and how far the origin is from there.
@@ -124,7 +124,7 @@ phrases! {
         "La distancia es *, en * (* de *).";
     /// Its distance of bodies with radii.
     LESS_RADII: "Less the radii the distance is *, at *, by * of *.",
-        "Ohne die Radien ist der Abstand *, bei *, durch * von *.",
+        "Abzüglich der Radien ist der Abstand *, bei *, durch * von *.",
         "Rayons déduits, la distance est *, en * (* de *).",
         "Descontados los radios, la distancia es *, en * (* de *).";
     /// What it found of bodies that overlap, without radii: depth, place, edge, body.
@@ -146,7 +146,7 @@ phrases! {
     LEAST_OVERLAP: "The least overlap is the depth: *, by * of *.",
         "Die kleinste Überlappung ist die Tiefe: *, durch * von *.",
         "Le plus petit recouvrement est la profondeur : * (* de *).",
-        "El menor solape es la profundidad: * (* de *).";
+        "El menor solapamiento es la profundidad: * (* de *).";
     /// Both bodies along an axis: the axis, whose normal of which body, a body and its interval, the other
     /// one and its, and what lies between.
     AXIS: "Along *, the normal of * of *: * spans *, * spans *, *.",
@@ -178,15 +178,15 @@ phrases! {
     /// A simplex: vertices, the point closest to the origin, where to look next.
     SIMPLEX: "The simplex is *; closest to the origin is *, so look along *.",
         "Das Simplex ist *; dem Ursprung am nächsten liegt *, also weiter entlang *.",
-        "Le simplexe est * ; le plus proche de l’origine est *, donc chercher le long de *.",
+        "Le simplexe est * ; le plus proche de l’origine est *, on cherche donc le long de *.",
         "El símplex es *; lo más cercano al origen es *, así que se busca a lo largo de *.";
     /// A simplex as before, and the vertex that is farthest there: vertices, the point closest to the origin,
     /// where to look, what is found there.
     SIMPLEX_GROWS: "The simplex is *; closest to the origin is *, so look along *: farthest there is *.",
         "Das Simplex ist *; dem Ursprung am nächsten liegt *, also weiter entlang *: am weitesten dort \
             liegt *.",
-        "Le simplexe est * ; le plus proche de l’origine est *, donc chercher le long de * : le plus loin y \
-            est *.",
+        "Le simplexe est * ; le plus proche de l’origine est *, on cherche donc le long de * : le plus loin \
+            y est *.",
         "El símplex es *; lo más cercano al origen es *, así que se busca a lo largo de *: lo más lejano \
             allí es *.";
     /// The last simplex outside the origin: vertices, the point closest to the origin, where nothing is.
@@ -194,9 +194,10 @@ phrases! {
             ends.",
         "Das Simplex ist *; dem Ursprung am nächsten liegt *, und weiter entlang * liegt nichts: Die Suche \
             endet.",
-        "Le simplexe est * ; le plus proche de l’origine est *, et rien n’est plus loin le long de * : c’est \
-            fini.",
-        "El símplex es *; lo más cercano al origen es *, y nada está más lejos a lo largo de *: se acabó.";
+        "Le simplexe est * ; le plus proche de l’origine est *, et rien n’est plus loin le long de * : la \
+            recherche s’arrête.",
+        "El símplex es *; lo más cercano al origen es *, y nada está más lejos a lo largo de *: la búsqueda \
+            termina.";
     /// A simplex around the origin, or through it: vertices.
     SIMPLEX_HOLDS: "The simplex is *; the origin is in it.",
         "Das Simplex ist *; der Ursprung liegt darin.",
@@ -226,7 +227,7 @@ phrases! {
     /// None does.
     WAY_OUT: "no vertex is beyond it: it is the way out",
         "keine Ecke liegt dahinter: Das ist der Weg hinaus",
-        "aucun sommet n’est au-delà : c’est la sortie",
+        "aucun sommet n’est au-delà : c’est par là qu’on sort",
         "ningún vértice está más allá: es la salida";
     /// None does, and it passes through the origin.
     NO_FARTHER: "no vertex is beyond it",
@@ -239,10 +240,10 @@ phrases! {
         "Référence : * de *, * à *, normale sortante n = * ; incidente : * de *.",
         "Referencia: * de *, * a *, normal hacia fuera n = *; incidente: * de *.";
     /// What a plane cut off: where the plane is, the end, where that is now.
-    CUT: "The plane at * cuts off the end *: it ends at *.",
-        "Die Ebene bei * schneidet das Ende * ab: Es endet bei *.",
-        "Le plan en * coupe le bout * : il finit en *.",
-        "El plano en * corta el extremo *: acaba en *.";
+    CUT: "The plane at * cuts off the end *: the edge now ends at *.",
+        "Die Ebene bei * schneidet das Ende * ab: Die Kante endet nun bei *.",
+        "Le plan en * coupe le bout * : l’arête finit alors en *.",
+        "El plano en * corta el extremo *: la arista acaba ahora en *.";
     /// A point of each body.
     OVER: "* of * and * of *", "* von * und * von *", "* de * et * de *", "* de * y * de *";
     /// A contact: places, depth.

@@ -19,6 +19,16 @@ phrases! {
     EDGE: "edge *", "Kante *", "arête *", "arista *";
     /// A vertex and its place.
     VERTEX_AT: "vertex * at *", "Ecke * bei *", "sommet * en *", "vértice * en *";
+    /// What lies farthest of a vertex of a body with a radius: index, place.
+    ROUNDING_AT: "the rounding of vertex * at *",
+        "die Rundung um Ecke * bei *",
+        "l’arrondi du sommet * en *",
+        "el redondeo del vértice * en *";
+    /// What lies farthest of a circle: its centre.
+    OUTLINE_AROUND: "the outline around the centre at *",
+        "der Umriss um den Mittelpunkt bei *",
+        "le contour autour du centre en *",
+        "el contorno en torno al centro en *";
     /// Inside of a boundary, by a length.
     INSIDE: "* inside", "* im Inneren", "à * à l’intérieur", "* por dentro";
     /// Away from a boundary, by a length.

@@ -5,14 +5,14 @@ use crate::trace::tongue::phrases;
 phrases! {
     /// A ray and an edge: part, body, from, to, what came of it, when.
     RAY: "The ray against * of *, * to *: **.",
-        "Strahl gegen * von *, * bis *: **.",
-        "Rayon contre * de *, * à * : **.",
-        "Rayo contra * de *, * a *: **.";
+        "Der Strahl gegen * von *, * bis *: **.",
+        "Le rayon contre * de *, * à * : **.",
+        "El rayo contra * de *, * a *: **.";
     /// A ray and a vertex of round bodies: part, body, where, what came of it, when.
-    RAY_AT: "The ray against * of *, about *: **.",
-        "Strahl gegen * von *, um *: **.",
-        "Rayon contre * de *, autour de * : **.",
-        "Rayo contra * de *, en torno a *: **.";
+    RAY_AT: "The ray against * of *, as a circle around *: **.",
+        "Der Strahl gegen * von *, als Kreis um *: **.",
+        "Le rayon contre * de *, comme cercle autour de * : **.",
+        "El rayo contra * de *, como círculo en torno a *: **.";
     /// It was not looked at.
     FACES_AWAY: "it faces away, skipped",
         "abgewandt, übersprungen",
@@ -24,6 +24,11 @@ phrases! {
     ENTERED: "entered", "getroffen", "touché", "alcanzado";
     /// When.
     AT_TIME: " at t = *", " bei t = *", " à t = *", " en t = *";
+    /// When it crosses the line of an edge that it misses.
+    CROSSED: ", its line is crossed at t = *",
+        ", ihre Gerade wird bei t = * gekreuzt",
+        ", sa droite est coupée à t = *",
+        ", su recta se cruza en t = *";
     /// A step of an advancement: number, moment, separation, normal, speed, bound, what then.
     STEP: "Step *: at * they are * apart along *, closing at **; *.",
         "Schritt *: Bei * sind sie * voneinander entfernt, entlang *, und nähern sich mit **; *.",

@@ -156,8 +156,8 @@ phrases! {
         "Dans le monde, cela mène à *, le point de * le plus proche de * ; de là, D = *.",
         "En el mundo eso lleva a *, el punto de * más cercano a *; desde ahí D = *.";
     /// The farthest vertex of a body that turns: body, radius, vertex.
-    FARTHEST_BY: "Farthest from the origin of *, by r = *: *.",
-        "Am weitesten vom Ursprung von *, um r = *: *.",
+    FARTHEST_BY: "Farthest from the origin of *, at r = *: *.",
+        "Am weitesten vom Ursprung von * entfernt, mit r = *: *.",
         "Le plus loin de l’origine de *, à r = * : *.",
         "Lo más lejano del origen de *, a r = *: *.";
     /// The angle of its turn.
@@ -165,10 +165,12 @@ phrases! {
         "* dreht sich um θ = * rad.",
         "* tourne de θ = * rad.",
         "* gira θ = * rad.";
+    /// It has none.
+    TURNS_NOT: "* does not turn.", "* dreht sich nicht.", "* ne tourne pas.", "* no gira.";
     /// The bound on its turn.
-    NO_FARTHER: "No point of * turns farther than L = θ r = *.",
-        "Kein Punkt von * dreht sich weiter als L = θ r = *.",
-        "Aucun point de * ne tourne de plus de L = θ r = *.",
+    NO_FARTHER: "Turning moves no point of * farther than L = θ r = *.",
+        "Die Drehung bewegt keinen Punkt von * weiter als L = θ r = *.",
+        "La rotation ne déplace aucun point de * de plus de L = θ r = *.",
         "Ningún punto de * se desplaza al girar más que L = θ r = *.";
     /// A step of an advancement: separation, normal.
     APART: "They are * apart along *.",
@@ -214,17 +216,17 @@ phrases! {
     STOPS: "It stops here.", "Hier ist Schluss.", "Fin des étapes.", "Aquí se detiene.";
     /// No axis before has less overlap.
     LESS_SO_FAR: "It is the least overlap so far.",
-        "Es ist die bisher kleinste Überlappung.",
+        "Das ist die bisher kleinste Überlappung.",
         "C’est le plus petit recouvrement jusqu’ici.",
-        "Es el menor solape hasta ahora.";
+        "Es el menor solapamiento hasta ahora.";
     /// One before has: how much, edge or vertex, body.
     STILL_LEAST: "The least overlap so far remains *, by * of *.",
         "Die bisher kleinste Überlappung bleibt *, durch * von *.",
         "Le plus petit recouvrement jusqu’ici reste * (* de *).",
-        "El menor solape hasta ahora sigue siendo * (* de *).";
+        "El menor solapamiento hasta ahora sigue siendo * (* de *).";
     /// No axis before has a larger gap.
     MORE_SO_FAR: "It is the largest gap so far.",
-        "Es ist die bisher größte Lücke.",
+        "Das ist die bisher größte Lücke.",
         "C’est le plus grand écart jusqu’ici.",
         "Es el mayor hueco hasta ahora.";
     /// One before has: how large, edge or vertex, body.
