@@ -336,7 +336,7 @@ fn apart(first: Option<f64>, before: &[f64], last: f64) -> Vec<(usize, f64)> {
 }
 
 /// Draws the body at each step where it is not now, with its time or number; of more than [`MOST`] after the
-/// first those that are [`apart`] and the last, which is named.
+/// first those that are [`apart`], where the eye can tell them from the last, and that, which is named.
 fn steps(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) {
     // What rests is nowhere else at any step.
     if options.words("of").is_none() && !moves(context, side) {
@@ -348,6 +348,8 @@ fn steps(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) 
     let unseen = sketch.px(UNSEEN);
     let is_here = |then: &Outline| now.as_ref().is_some_and(|now| look_alike(now, then, unseen));
     let elsewhere = |time: f64| context.outline(side, time).filter(|then| !is_here(then));
+    let end = context.outline(side, *last);
+    let is_end = |then: &Outline| end.as_ref().is_some_and(|end| look_alike(end, then, unseen));
     let role = options.role(side.into());
     let [numbered, solid] = ["numbered", "solid"].map(|flag| options.flag(flag, false));
     let then = |step: usize, time: f64| {
@@ -356,7 +358,7 @@ fn steps(sketch: &mut Sketch, context: &Context, options: &Options, side: Side) 
     let at = |then: String| format!("{} at {then}", context.named(side).primed(0));
     let kept = apart(Some(*first).filter(|t| now.is_some() && elsewhere(*t).is_some()), before, *last);
     for ((step, time), opacity) in kept.iter().zip(fade(SERIES, kept.len())) {
-        let Some(outline) = elsewhere(*time) else { continue };
+        let Some(outline) = elsewhere(*time).filter(|then| !is_end(then)) else { continue };
         sketch.since(context.known(&When::Step(*step)));
         let ((wash, pen), then) = (look(options, role), then(*step, *time));
         // Bodies that are there are all as much there, and named alike.

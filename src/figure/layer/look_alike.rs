@@ -83,4 +83,20 @@ mod tests {
         assert_eq!(told(square, 45.0).0, "door at $t = 1$");
         assert_eq!(told(bar, 4.0).0, "door at $t = 1$");
     }
+
+    #[test]
+    fn steps_at_which_a_body_looks_as_at_the_last_have_no_ghosts() {
+        let text = "shapes.hammer = { kind = 'box', half_extents = [0.5, 0.35], position = [0.2, 2.6],
+                velocity = [0, -3.4], angular_velocity_deg = -35 }
+            shapes.anvil = { kind = 'box', half_extents = [2, 0.4] }
+            query.kind = 'time-of-impact'
+            query.of = ['hammer', 'anvil']
+            query.algorithm = 'conservative-advancement'
+            panels = [{ time = 'start', layers = ['shapes', { layer = 'ghosts', at = 'steps' }] }]";
+        let scene = open_text("steps", text).unwrap().scene;
+        let plan = plan(&scene).unwrap();
+        let figure = draw(&plan, plan.theme, "steps");
+        // Ten steps, of which the last eight are within a pixel.
+        assert_eq!(paths(&figure.drawing.items, "ghost-A").len(), 2);
+    }
 }
