@@ -312,24 +312,25 @@ mod tests {
         assert_eq!(narrow[1].glyphs.len(), 2);
     }
 
+    /// What stands on each line of a text that has room for nothing.
+    fn narrow(text: &str) -> Vec<String> {
+        let read = |line: &Line| line.runs.iter().map(|run| run.text.as_str()).collect();
+        wrap(text, Style::regular(14.0), 1.0).unwrap().iter().map(read).collect()
+    }
+
     #[test]
     fn no_line_begins_with_a_mark_that_french_sets_apart() {
-        let style = Style::regular(14.0);
         let text = "la roue $A$ ; est-ce « non » ? ou :\noui : bien";
-        let read = |line: &Line| line.runs.iter().map(|run| run.text.as_str()).collect::<String>();
-        let narrow: Vec<String> = wrap(text, style, 1.0).unwrap().iter().map(read).collect();
-        assert_eq!(narrow, ["la", "roue", "A ;", "est-ce", "« non » ?", "ou :", "oui :", "bien"]);
+        assert_eq!(narrow(text), ["la", "roue", "A ;", "est-ce", "« non » ?", "ou :", "oui :", "bien"]);
     }
 
     #[test]
     fn a_point_is_not_broken() {
         let style = Style::regular(14.0);
         let text = "along (0, 1) and (−0.5; 2,5) to it (which, here, is far).";
-        let read = |line: &Line| line.runs.iter().map(|run| run.text.as_str()).collect::<String>();
-        let narrow: Vec<String> = wrap(text, style, 1.0).unwrap().iter().map(read).collect();
         let expected =
             ["along", "(0, 1)", "and", "(−0.5; 2,5)", "to", "it", "(which,", "here,", "is", "far)."];
-        assert_eq!(narrow, expected);
+        assert_eq!(narrow(text), expected);
         let [wide, set] = [wrap(text, style, 900.0).unwrap().remove(0), typeset(text, style).unwrap()];
         assert_eq!(wide.width, set.width);
         let space = typeset("a b", style).unwrap().width - typeset("ab", style).unwrap().width;
