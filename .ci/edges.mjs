@@ -272,6 +272,59 @@ async function finger(browser, file, fail, about) {
     await page.close();
 }
 
+// What was refused is no longer said at a step; a pointer whose end nobody tells, and one that another finger follows,
+// hold what they took alone; and bodies that are called as numbers are copied in the order of the scene.
+async function letGo(browser, file, fail, about) {
+    const page = await opened(browser, file, fail, about);
+    await page.click(".numbers-of summary");
+    const field = page.locator(".numbers input[aria-label^='vertex']").first();
+    const typed = async (words) => {
+        await field.fill(words);
+        await field.press("Enter");
+        await page.waitForTimeout(SAID);
+        return (await state(page))[0];
+    };
+    const { why } = await typed("1e20");
+    if (!why) fail(about, "a vertex at 1e20 is not refused");
+    await page.click(".steps button:first-child");
+    await page.waitForTimeout(SAID);
+    const [stepped, seen] = [(await state(page))[0], await page.textContent(".seen")];
+    if (stepped.why) fail(about, `a step back it still says "${stepped.why}"`);
+    const again = await browser.newPage();
+    await again.goto(page.url());
+    await again.waitForFunction(isLive);
+    await again.waitForTimeout(SAID);
+    const there = await again.textContent(".seen");
+    if (there !== seen) fail(about, `says "${seen}" at a step, and "${there}" where its address is opened`);
+    await again.close();
+    await typed("1e20");
+    const after = await typed("");
+    if (after.why) fail(about, `says "${after.why}" of a number that nobody typed`);
+
+    const session = await page.context().newCDPSession(page);
+    const box = await (await page.$(".knob[role=slider]:not(.gone) .ring")).boundingBox();
+    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+    const mouse = (type, by, buttons) => {
+        const button = type === "mouseMoved" ? "none" : "left";
+        return session.send("Input.dispatchMouseEvent", { type, x: x + by, y, button, buttons, clickCount: 1 });
+    };
+    await mouse("mousePressed", 0, 1);
+    await mouse("mouseMoved", 20, 1);
+    await frame(page);
+    await mouse("mouseMoved", 21, 0);
+    await page.waitForTimeout(SAID);
+    const isHeld = await page.evaluate(() => document.querySelector("[data-dragging],.dragged") !== null);
+    if (isHeld) fail(about, "holds what no button holds");
+    await mouse("mouseReleased", 21, 0);
+
+    await page.evaluate(() => { navigator.clipboard.writeText = () => Promise.reject(new Error("none")); });
+    await page.click(".acts button:last-child");
+    const copied = await page.inputValue("textarea.text");
+    const names = Array.from(copied.matchAll(/^\[shapes\.(.*)\]$/gm), (match) => match[1]).join();
+    if (names !== "b,7,3,2") fail(about, `copies the bodies ${names}`);
+    await page.close();
+}
+
 // Looks at the edges of some pages that share the module in `site`; at `alone` are two pages with all they need, and
 // `columns` are pages whose scenes ask for columns.
 export async function edges({ browser, site, work, fail, stems, columns, alone }) {
@@ -289,6 +342,7 @@ export async function edges({ browser, site, work, fail, stems, columns, alone }
         await finger(browser, shared(stem), fail, `${stem}, by a finger`);
     }
     await sizes(browser, shared("small-and-turned"), fail, "sizes of a small body");
+    await letGo(browser, shared("names-that-are-numbers"), fail, "names that are numbers");
     await addressed(browser, shared("two-vertices"), fail, "two vertices in an address");
     for (const stem of columns) await narrow(browser, shared(stem), fail, `${stem}, narrow`);
 }

@@ -40,7 +40,7 @@ class Knob {
         this.element.addEventListener("keydown", (event) => this.key(event));
         for (const end of ["keyup", "blur"]) this.element.addEventListener(end, () => this.keyUp());
         this.element.addEventListener("pointermove", (event) => this.drag(event));
-        for (const end of ["pointerup", "pointercancel"]) {
+        for (const end of ["pointerup", "pointercancel", "lostpointercapture"]) {
             this.element.addEventListener(end, () => this.release());
         }
         figure.overlay.append(this.element);
@@ -87,6 +87,7 @@ class Knob {
 
     drag(event) {
         if (!this.off) return;
+        if (event.buttons === 0) return this.release(); // Let go where nobody told us.
         const [x, y] = this.figure.pointer(event);
         // A view that fits what is drawn widens as that moves: by its new scale a way out would grow with
         // itself. So a value is that of the pointer's place in the picture where it was taken.
@@ -155,6 +156,7 @@ class Row {
             this.typed = undefined;
             const numbers = this.fields.map((field) => field.valueAsNumber);
             if (!numbers.every(Number.isFinite)) {
+                figure.refuse("");
                 figure.shown();
                 return;
             }

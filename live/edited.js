@@ -98,7 +98,7 @@ class Edited {
     }
 
     async copy() {
-        const written = toml(edited(this.scene, this.edits.values()));
+        const written = toml(edited(this.scene, this.edits.values()), this.bodyNames);
         try {
             await navigator.clipboard.writeText(written);
             clearTimeout(this.voice); // What it would say is said along.
@@ -134,6 +134,20 @@ class Edited {
     words() {
         const whole = this.why.textContent.replace(/[^.!?]$/, "$&.");
         return [whole, this.said()].filter(Boolean).join(" ");
+    }
+
+    // Says what is to be heard, after a rest.
+    speak(pause = PAUSE) {
+        clearTimeout(this.voice);
+        this.voice = setTimeout(() => this.tell(this.words(), this.said()), pause);
+    }
+
+    tell(words, seen) {
+        this.see(seen);
+        this.say.lang = this.language;
+        this.say.textContent = words;
+        this.entitle();
+        this.invite();
     }
 
     // What a reader drags, in the words of a hint: a body alone is its place.
@@ -196,7 +210,8 @@ class Edited {
         const clock = isKnown || !this.clock ? [] : [this.clock];
         const asked = [];
         for (const handle of [...this.info.handles, ...clock]) {
-            const numbers = said.get(addressOf(handle.paths[0]))?.split(",").map(Number);
+            const texts = said.get(addressOf(handle.paths[0]))?.split(",");
+            const numbers = texts?.map((text) => (text ? Number(text) : Number.NaN));
             if (numbers?.length !== [handle.value].flat().length || !numbers.every(Number.isFinite)) continue;
             asked.push([handle, Array.isArray(handle.value) ? numbers : numbers[0]]);
         }

@@ -18,7 +18,7 @@ class Figure extends Edited {
         const figure = new Figure(root, request, alone);
         // What is on the page is seen first; what its address says waits for it.
         figure.begun = new Promise(requestAnimationFrame).then(() => figure.begin(request));
-        if (figure.info && "compileStreaming" in WebAssembly) figure.build();
+        if (figure.info && globalThis.WebAssembly?.compileStreaming) figure.build();
         try {
             await figure.begun;
         } catch (error) {
@@ -40,9 +40,9 @@ class Figure extends Edited {
     }
 
     constructor(root, request, alone) {
-        const { scene, info, id } = JSON.parse(request);
+        const { scene, info, id, bodyNames } = JSON.parse(request);
         super(scene);
-        Object.assign(this, { root, alone, info, id });
+        Object.assign(this, { root, alone, info, id, bodyNames });
         this.stage = root.querySelector("figure");
         this.picture = new Picture(this.stage.querySelector("svg"));
         this.knobs = new Map();
@@ -284,6 +284,9 @@ class Figure extends Edited {
     // The width of the page where the figure's own would be unreadably small.
     fit() {
         const room = this.root.clientWidth;
+        // What is held has lost its place in the layout.
+        if (room !== this.had) for (const knob of this.knobs.values()) knob.release();
+        this.had = room;
         this.own ??= this.picture.size[0];
         const asAsked = this.stage.style.width && !phone.matches;
         const width = room < NARROW * this.own && !asAsked ? Math.max(Math.floor(room), 240) : undefined;
@@ -328,7 +331,8 @@ class Figure extends Edited {
     // Takes hold of what is under the pointer.
     grab(event) {
         const knob = event.button === 0 && under(this, event);
-        if (!knob) return;
+        // A second finger takes nothing away from the first.
+        if (!knob || "dragging" in this.root.dataset) return;
         event.preventDefault();
         knob.grab(event);
     }
@@ -366,24 +370,10 @@ class Figure extends Edited {
         this.speak();
     }
 
-    // ---- What is said
-
-    speak(pause = PAUSE) {
-        clearTimeout(this.voice);
-        this.voice = setTimeout(() => this.tell(this.words(), this.said()), pause);
-    }
-
-    tell(words, seen) {
-        this.see(seen);
-        this.say.lang = this.language;
-        this.say.textContent = words;
-        this.entitle();
-        this.invite();
-    }
-
     toStep(step) {
         [this.step, this.stepping] = [step, true];
         this.alive(() => {
+            this.refuse("");
             this.showStep(step, true);
             this.draw();
             this.toAddress();

@@ -85,8 +85,9 @@ function edited(scene, edits) {
     return copy;
 }
 
-// A scene as TOML, tables in the order of the scene.
-function toml(scene) {
+// A scene as TOML, tables in the order of the scene; that of bodies where they are called as numbers, which
+// JavaScript sorts.
+function toml(scene, bodies) {
     const name = (word) => (/^[\w-]+$/.test(word) ? word : JSON.stringify(word));
     const isTable = (value) => value !== null && typeof value === "object" && !Array.isArray(value);
     const inline = (value) => {
@@ -94,6 +95,7 @@ function toml(scene) {
         if (isTable(value)) return `{ ${lines(value).join(", ")} }`;
         return JSON.stringify(value).replaceAll("\x7f", "\\u007f");
     };
+    const keys = (word, value) => (word === "shapes" && bodies) || Object.keys(value);
     const lines = (table) => Object.entries(table).map(([word, value]) => `${name(word)} = ${inline(value)}`);
     const [simple, tables] = [[], []];
     for (const [word, value] of Object.entries(scene)) {
@@ -101,7 +103,7 @@ function toml(scene) {
         const nested = isTable(value) && Object.values(value).every(isTable);
         const table = (header, item) => tables.push(header, ...lines(item), "");
         if (listed) for (const item of value) table(`[[${name(word)}]]`, item);
-        else if (nested) for (const key in value) table(`[${name(word)}.${name(key)}]`, value[key]);
+        else if (nested) keys(word, value).forEach((k) => table(`[${name(word)}.${name(k)}]`, value[k]));
         else if (isTable(value)) table(`[${name(word)}]`, value);
         else simple.push(`${name(word)} = ${inline(value)}`);
     }

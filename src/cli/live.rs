@@ -142,6 +142,11 @@ pub(crate) fn request(
     if let Some(texts) = foreign_texts(file) {
         rest["texts"] = texts;
     }
+    // A page sorts what is called as a number.
+    let names = || file.scene.shapes().iter().map(|(name, _)| name.value.as_str());
+    if names().any(|name| name.bytes().all(|byte| byte.is_ascii_digit())) {
+        rest["bodyNames"] = json!(names().collect::<Vec<_>>());
+    }
     // The order of a scene's keys stays: the scene is written as it is.
     let (mut scene, rest) = (file.json(), rest.to_string());
     if let Some(alt) = file.scene.alt.as_ref()

@@ -109,7 +109,7 @@ impl Live {
     /// module of live pages has few glyphs and English texts, and takes from `"faces"` the glyphs that the
     /// scene needs besides ([`more_glyphs`]) and from `"texts"` those of its language ([`foreign_texts`]).
     /// The library itself has them all.
-    /// An `"info"`, which the page reads itself, is passed over.
+    /// An `"info"` and `"bodyNames"`, which the page reads itself, are passed over.
     ///
     /// # Errors
     /// Where the text is no such JSON, or the scene is none.
@@ -147,7 +147,7 @@ impl Live {
     /// live.set(r#"[[["shapes", "A", "position"], [10, 0]], [["shapes", 0, "radius"], 1]]"#)?;
     /// assert!(live.draw()?.panel.contains("from (9, −1) to (11, 1)"));
     /// let refused = live.set(r#"[[["shapes", 0, "radius"], -1]]"#).unwrap_err();
-    /// assert_eq!(refused.to_string(), "A can't be so: `radius`: expected 0 or more, got -1");
+    /// assert_eq!(refused.to_string(), "A can't be so: it would be too small");
     /// # Ok::<(), tracefig::live::Refusal>(())
     /// ```
     pub fn set(&mut self, edits: &str) -> Result<(), Refusal> {

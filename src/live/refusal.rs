@@ -8,8 +8,17 @@ use crate::figure::{self, Language, Row, rows};
 use crate::output::OutputError;
 use crate::scene::{Explain, Problem, Refused, Source};
 
-/// The code of a polygon whose vertex was dragged across the line of its neighbours.
-const NOT_CONVEX: &str = "not-convex";
+/// What drags and numbers come to that can't be, by its code: a vertex across the line of its neighbours, a
+/// size of nothing or less, a place far off. To who sees the picture it is said so.
+const REASONS: [(&str, &str); 5] = [
+    ("not-convex", "it would not be convex"),
+    ("degenerate", TOO_SMALL),
+    ("negative-extent", TOO_SMALL),
+    ("negative-radius", TOO_SMALL),
+    ("off-page", "it would be too far away"),
+];
+/// Why a body can't have no size, or less.
+const TOO_SMALL: &str = "it would be too small";
 
 /// Why something can't be done with a live figure.
 #[derive(Clone, Debug, PartialEq)]
@@ -50,7 +59,7 @@ pub enum Refusal {
 }
 
 /// What is said of the scenes that there can't be, as rows of a [`Language`]. Reasons are those of messages
-/// about files, in English, but for the one that a drag meets.
+/// about files, in English, but for those that drags and numbers meet.
 pub(super) static WORDS: &[Row] = &rows([
     [
         "* can't be so: it would not be convex",
@@ -58,6 +67,20 @@ pub(super) static WORDS: &[Row] = &rows([
         "* kann so nicht sein: nicht mehr konvex",
         "* ne peut pas être ainsi : ce ne serait plus convexe",
         "* no puede ser así: ya no sería convexo",
+    ],
+    [
+        "* can't be so: it would be too small",
+        "*",
+        "* kann so nicht sein: zu klein",
+        "* ne peut pas être ainsi : trop petit",
+        "* no puede ser así: demasiado pequeño",
+    ],
+    [
+        "the figure can't be so: it would be too far away",
+        "*",
+        "Das Bild kann so nicht sein: zu weit weg",
+        "La figure ne peut pas être ainsi : trop loin",
+        "La figura no puede ser así: demasiado lejos",
     ],
     [
         "the scene can't be so: *",
@@ -117,8 +140,8 @@ impl Refusal {
 
 /// Why something can't be so, for who sees the picture and not the file.
 fn why<F: Explain>(source: &Source, Problem { fault, span }: &Problem<F>) -> String {
-    if fault.code() == NOT_CONVEX {
-        return "it would not be convex".to_owned();
+    if let Some((_, why)) = REASONS.iter().find(|(code, _)| *code == fault.code()) {
+        return (*why).to_owned();
     }
     // What would help stands behind a semicolon, and is for who writes the file.
     fault.told(source, span).split("; ").next().unwrap_or_default().to_owned()

@@ -72,8 +72,10 @@ impl Request {
         let id = written.take("id").map(text_of).transpose()?.unwrap_or_else(|| USUAL_ID.to_owned());
         let look = written.take("theme").map_or(Ok(Look::Own), look)?;
         let inline = written.take("inline").map(Inline::read).transpose()?;
-        // What the page shows before the module is there.
-        written.take("info");
+        // What the page shows before the module is there, and in which order it copies bodies.
+        for own in ["info", "bodyNames"] {
+            written.take(own);
+        }
         if let Some(faces) = written.take("faces") {
             faces::bring_all(&Fields::of(faces)?.0)?;
         }

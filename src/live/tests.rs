@@ -187,12 +187,22 @@ fn a_refused_drag_is_told_in_the_language_of_the_scene() {
         let mut scene = open(&figures()[0]).unwrap().json_value();
         scene["lang"] = lang.into();
         let mut live = Live::open(&json!({ "scene": scene }).to_string()).unwrap();
-        live.set(&edit.to_string()).unwrap_err().to_string()
+        live.set(&edit.to_string()).and_then(|()| live.draw().map(drop)).unwrap_err().to_string()
     };
+    let far = || json!([[["shapes", 0, "position"], [1e9, 0]]]);
+    assert_eq!(said("en", far()), "the figure can't be so: it would be too far away");
+    assert_eq!(said("fr", far()), "La figure ne peut pas être ainsi : trop loin");
     let polygon = json!({"kind": "polygon", "vertices": [[0, 0], [2, 0], [1, 0.5], [1, 2]]});
     let hollow = || json!([[["shapes", "A"], polygon.clone()]]);
     assert_eq!(said("zh", hollow()), "A can't be so: it would not be convex");
     assert_eq!(said("de-AT", hollow()), "A kann so nicht sein: nicht mehr konvex");
+    for radius in [-1.0, 0.0] {
+        let small =
+            json!([[["shapes", "A"], { "kind": "regular-polygon", "edges": 5, "circumradius": radius }]]);
+        assert_eq!(said("en", small), "A can't be so: it would be too small");
+    }
+    let flat = json!([[["shapes", "A"], { "kind": "box", "half_extents": [0, 1] }]]);
+    assert_eq!(said("es", flat), "A no puede ser así: demasiado pequeño");
     for lang in ["de", "fr", "es"] {
         for edit in [hollow(), json!([[["query", "time"], 7]]), json!([[["shapes", "A", "kind"], "box"]])] {
             assert!(!said(lang, edit.clone()).contains("can't"), "{lang}: {edit}");
