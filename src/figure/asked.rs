@@ -1,12 +1,9 @@
 //! The question of a scene in words, with which a figure in steps begins.
 
 use crate::collision::QueryKind;
-use crate::drawing::Step;
 use crate::scene::Scene;
 use crate::trace::{Event, Voice, phrases};
 
-use super::language::Language;
-use super::plan::Plan;
 use super::question::is_of_a_moment;
 
 phrases! {
@@ -64,15 +61,6 @@ pub(super) fn sentences(scene: &Scene, event: &Event, voice: Voice) -> Vec<Strin
         by = by + ", " + &voice.moment(at);
     }
     vec![voice.say(question, &[&voice.all()]), voice.say(&BY, &[&by])]
-}
-
-/// What a figure is about without its answer: its title, else the question with which its steps begin.
-pub(super) fn heading(plan: &Plan, steps: &[Step]) -> Option<String> {
-    if cfg!(tracefig_page) {
-        return None; // A page has one.
-    }
-    let asked = steps.first().filter(|_| Language::of(plan.scene).has_sentences());
-    plan.title.clone().or_else(|| asked?.sentences.first().cloned())
 }
 
 #[cfg(test)]

@@ -6,7 +6,6 @@ use crate::drawing::{Color, Dark, Drawing, Item, Paint, Role};
 
 use crate::scene::{Background, Space, Variant};
 
-use super::asked;
 use super::bands::{A_FIFTH, A_QUARTER, widest};
 use super::describe::{self, Account, Shown};
 use super::drawn_panel::{DrawnPanel, Sheet, draw_panel};
@@ -14,6 +13,7 @@ use super::exercise;
 use super::fault::{Fault, Problem};
 use super::grounds::grounds;
 use super::handle::Handle;
+use super::heading::heading;
 use super::layer::{find, is_key};
 use super::page::Page;
 use super::panel::PanelPlan;
@@ -201,7 +201,7 @@ pub(crate) fn draw_unjudged(plan: &Plan, theme: &Theme, id: &str, before: Option
         id: id.to_owned(),
         title: short(plan, &run),
         is_titled: plan.alt.is_some(),
-        heading: asked::heading(plan, &steps),
+        heading: heading(plan),
         lang: plan.scene.lang.as_ref().map(|lang| lang.value.clone()),
         desc: description(plan, &run),
         background: page_paint(plan, theme),

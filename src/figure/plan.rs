@@ -28,6 +28,7 @@ use super::sketch::{Size, Sketched};
 use super::text::{Across, Block, Wording, across, caption_of_words, check_texts, spoken};
 use super::theme::{self, Theme};
 use super::unseen_layer::noted;
+use super::unset_words::unset;
 use super::whole::of_the_whole;
 use super::{narrow, view};
 
@@ -129,7 +130,7 @@ fn checked<'s>(
     // A page reads all of its scenes.
     let set = if cfg!(tracefig_page) { Vec::new() } else { scene::set::wrong(scene) };
     if set.is_empty() {
-        return resolve(scene, theme, problems);
+        return resolve(scene, theme, problems.into_iter().chain(unset(scene)).collect());
     }
     Err(problems.into_iter().chain(set.into_iter().map(Problem::from)).collect())
 }

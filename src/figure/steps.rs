@@ -116,17 +116,17 @@ fn worded(all: Vec<Step>, said: &[StepWords]) -> (Vec<Step>, Vec<usize>, Option<
         };
         // What is skipped comes with the next one, and with the one before where there is none.
         let is_last = until == all.len();
-        if !words.skip || (is_last && steps.is_empty()) {
+        if !words.skip {
             steps.push(one(joined, words));
+        } else if is_last && steps.is_empty() {
+            steps.extend_from_slice(&joined[joined.len() - 1..]);
         }
         let number = if words.skip && !is_last { steps.len() + 1 } else { steps.len() };
         counted.resize(until, number);
     }
     if counted.len() == all.len() {
         // Nothing comes after several that are skipped at the end.
-        for number in &mut counted {
-            *number = steps.len().min(*number);
-        }
+        counted = counted.into_iter().map(|number| number.min(steps.len())).collect();
     }
     for step in all.into_iter().skip(counted.len()) {
         steps.push(step);
@@ -137,12 +137,19 @@ fn worded(all: Vec<Step>, said: &[StepWords]) -> (Vec<Step>, Vec<usize>, Option<
 
 /// Some steps as one.
 fn one(joined: &[Step], words: &StepWords) -> Step {
-    let own = || joined.iter().flat_map(|step| step.sentences.iter().cloned()).collect();
-    let title = || joined.last().map(|step| step.title.clone()).unwrap_or_default();
+    let [.., last] = joined else { return Step::default() };
+    let told = |step: &Step| if joined.len() > 1 { vec![titled(step)] } else { step.sentences.clone() };
+    let own = || joined.iter().flat_map(told).collect();
     Step {
-        title: words.title.clone().unwrap_or_else(title),
+        title: words.title.clone().unwrap_or_else(|| last.title.clone()),
         sentences: words.text.clone().map_or_else(own, |text| vec![text]),
     }
+}
+
+/// What a step says beside others, which have its title no more.
+fn titled(step: &Step) -> String {
+    let (title, said) = (&step.title, step.sentences.join(" "));
+    if said.starts_with(title.as_str()) { said } else { format!("{title} – {said}") }
 }
 
 /// The numbers by which items come and go.
@@ -157,7 +164,7 @@ pub(super) fn collect(item: &Item, used: &mut Vec<usize>) {
 }
 
 /// The step before the first event: what the scene asks.
-fn first((scene, voice): (&Scene, Voice), runs: &[std::sync::Arc<Run>]) -> Step {
+pub(super) fn first((scene, voice): (&Scene, Voice), runs: &[std::sync::Arc<Run>]) -> Step {
     let own = runs.iter().filter(|run| run.is_own()).find_map(|run| run.events().next());
     own.map_or_else(Step::default, |event| Step {
         title: step::title(event, 0, voice),
@@ -378,7 +385,12 @@ mod tests {
         assert_eq!(titles("steps = [{ until = 3, skip = true }]"), all[3..]);
         assert_eq!(titles("steps = [{ until = 4 }, { skip = true }]"), all[3..4]);
         assert_eq!(titles("steps = [{ until = 3 }, { skip = true }, { skip = true }]"), all[2..3]);
-        assert_eq!(titles("steps = [{ until = 99, skip = true }]"), all[4..]);
+        assert_eq!(steps("steps = [{ until = 99, skip = true }]"), steps("")[4..], "the last one alone");
+        let joined = steps("steps = [{ until = 99 }]")[0].sentences.clone();
+        assert!(
+            joined[0].starts_with("The question – ") && joined[1].starts_with("Edge 0 of A with"),
+            "{joined:?}"
+        );
         let worded = steps("steps = [{ text = 'Two bodies.' }, { until = 3 }]");
         assert_eq!(
             (worded[0].sentences.as_slice(), worded[1].sentences.len()),

@@ -126,7 +126,9 @@ fn end_of_advancement(run: &Run, all: &[Cue], voice: Voice) -> Option<String> {
     let end = step::end_of_advancement(event, impact.tolerance, voice)?;
     // "That" is how far apart they are then.
     let apart = last.part(step::advanced::APART);
+    let title = || step::title(event, apart.part, voice);
     let said = if all.contains(&apart) { None } else { advanced((run, event), (apart, all), voice) };
+    let said = said.map(|said| format!("{} – {said}", title()));
     Some(together(said.into_iter().chain([end])))
 }
 

@@ -36,6 +36,9 @@ pub(super) const FORMAT: Format = Format {
     live: None,
 };
 
+/// Hundredths of a second that a frame is shown at least: players take less for no time at all.
+const LEAST: u32 = 2;
+
 /// What the comment with the scene's hash begins with.
 const KEYWORD: &str = "tracefig ";
 /// The label of a comment (section 24).
@@ -69,7 +72,8 @@ fn write(drawings: &[&Drawing], options: &Options) -> Result<Vec<u8>, OutputErro
 /// Writes a frame for each step, played once: the figure stays.
 fn write_steps(drawing: &Drawing, options: &Options, in_steps: InSteps) -> Result<Vec<u8>, OutputError> {
     let steps: Vec<Drawing> = (1..=drawing.steps.len()).map(|step| drawing.at_step(step)).collect();
-    let times = holds(drawing, in_steps).into_iter().map(|time| u16::try_from(time / 10).unwrap_or(u16::MAX));
+    let hundredths = |time: u32| u16::try_from((time / 10).max(LEAST)).unwrap_or(u16::MAX);
+    let times = holds(drawing, in_steps).into_iter().map(hundredths);
     animation(&steps.iter().collect::<Vec<_>>(), &times.collect::<Vec<_>>(), Repeat::Finite(0), options)
 }
 

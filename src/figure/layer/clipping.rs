@@ -136,9 +136,8 @@ fn draw(sketch: &mut Sketch, context: &Context, options: &Options) {
             sketch.label(label.rank(Rank::Word).size(Size::Note));
             sketch.part("cut").marker(*end, Marker::Cross, Role::Muted, LARGE_MARKER);
         }
-        // What is left has two ends, cut or not: with the last cut, or else with the points of contact.
-        let met = || known(|event| matches!(event, Event::ContactFound { .. }));
-        sketch.since(if found.cuts.is_empty() { met() } else { last });
+        // What is left has two ends, cut or not: with the last cut, or else with the edge.
+        sketch.since(last);
         for end in left {
             sketch.part("left").marker(end, of(found.body.other()), found.body.other().into(), MARKER);
         }

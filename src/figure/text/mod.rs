@@ -50,4 +50,4 @@ pub(crate) use round::{decimal, exponent, round_up};
 pub(crate) use symbols::{Symbol, symbols};
 pub(crate) use values::value_of;
 pub use values::values;
-pub(crate) use wording::{Wording, check_texts};
+pub(crate) use wording::{Wording, bad_markup, check_texts};

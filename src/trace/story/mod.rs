@@ -19,6 +19,8 @@ mod tests;
 pub(crate) mod told;
 mod words;
 
+use std::cmp::Ordering;
+
 use super::tongue::Phrase;
 use super::{Event, Goal, SupportVertex, Trace};
 use crate::geometry::{DVec2, Enclosure, Feature, Names, Side};
@@ -26,7 +28,7 @@ use crate::geometry::{DVec2, Enclosure, Feature, Names, Side};
 pub(crate) use hand::{Hand, TOLD, USUAL, WHOLE};
 use motion::{advanced, closest_approach, compared, motion, ray, swept};
 use phrases::events::{
-    AXIS, AXIS_INTO, BEHIND, BOTTOM, BOX, CLAMPED, CLAMPED_INSIDE, DIFFERENCE_EDGE,
+    AXIS, AXIS_FROM, AXIS_INTO, BEHIND, BOTTOM, BOX, CLAMPED, CLAMPED_INSIDE, DIFFERENCE_EDGE,
     DIFFERENCE_EDGE_OF_CENTER, DISC, FINISHED, GAP, LEAST_PENETRATING, LEAST_POSITIVE, LEFT, MERGED,
     NO_FARTHER, NO_MORE, OUTCOMES, OVERLAP, PENETRATION, POLYTOPE, POLYTOPE_GROWN, PROJECTED, RIGHT, ROUNDED,
     SEPARATED, SETTLED, SIMPLEX, SIMPLEX_HOLDS, SPLITS, SQUARES, STARTED, SUPPORT, TIE, TOGETHER, TOP,
@@ -164,7 +166,11 @@ fn circles(
     [distance_squared, radii_squared]: [f64; 2],
     early_out: bool,
 ) -> String {
-    let than = if distance_squared < radii_squared { "<" } else { "≥" };
+    let than = match distance_squared.total_cmp(&radii_squared) {
+        Ordering::Less => "<",
+        Ordering::Equal => "=",
+        Ordering::Greater => ">",
+    };
     let then = if early_out { voice.word(&SETTLED) } else { String::new() };
     let [r, q] = radii.map(|r| voice.number(r));
     let [distance, sum] = [distance_squared, radii_squared].map(|x| voice.number(x));
@@ -293,7 +299,11 @@ fn axis_tested(
         voice.say(&OVERLAP, &[&second, &voice.length(-gap), &first])
     };
     let (axis, part, of) = (voice.point(axis), voice.part((side, feature)), voice.of(side));
-    let phrase = if side == Side::A { &AXIS } else { &AXIS_INTO };
+    let phrase = match (feature, side) {
+        (Feature::Vertex(_), _) => &AXIS_FROM,
+        (Feature::Edge(_), Side::A) => &AXIS,
+        (Feature::Edge(_), Side::B) => &AXIS_INTO,
+    };
     voice.say(phrase, &[&axis, &part, &of, &first, &a, &second, &b, &between])
 }
 

@@ -8,7 +8,7 @@ use super::motion::with_turning;
 use super::phrases::events::{EDGES, UNBUILT};
 use super::phrases::steps as words;
 use super::{Voice, sentence_in};
-use crate::geometry::{DVec2, Side};
+use crate::geometry::{DVec2, Feature, Side};
 use crate::trace::tongue::Phrase;
 use crate::trace::{Culling, Event, Goal, SupportVertex};
 
@@ -120,7 +120,9 @@ pub(crate) fn title(event: &Event, of: usize, voice: Voice) -> String {
         Event::CandidateImproved { goal: Goal::LeastPenetrating, .. } => &words::LEAST_DEPTH,
         Event::CandidateImproved { .. } => &words::LEAST,
         Event::AxisTested { source: (side, feature), .. } => {
-            return voice.say(&words::NORMAL_OF, &[&voice.part((*side, *feature)), &voice.of(*side)]);
+            let phrase =
+                if matches!(feature, Feature::Vertex(_)) { &words::AWAY_FROM } else { &words::NORMAL_OF };
+            return voice.say(phrase, &[&voice.part((*side, *feature)), &voice.of(*side)]);
         }
         Event::SeparatingAxisFound { .. } => &words::SEPARATING,
         Event::SimplexUpdated { vertices, closest, .. } => {

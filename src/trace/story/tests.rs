@@ -65,7 +65,7 @@ fn bodies_have_the_names_of_the_scene_in_words_and_in_formulas() {
         ),
         (
             compared,
-            "D = |c_\"the wall\" - c_bullet| - (h_bullet + h_\"the wall\") \
+            "D = |c(\"the wall\") - c(bullet)| - (h(bullet) + h(\"the wall\")) \
              = (3, 3) - ((1, 1) + (1, 1)) = (1, 1).",
         ),
     ];
@@ -188,10 +188,16 @@ fn a_search_by_simplices_ends_with_the_distance_of_the_bodies_with_their_radii()
         told.lines().last().unwrap().to_owned()
     };
     let apart = improved(Goal::LeastPositive, 0.5);
-    assert_eq!(last(apart.clone(), false), "The distance is 0.5, at (1, 0), by vertex 2 of A.");
+    assert_eq!(
+        last(apart.clone(), false),
+        "The distance is 0.5, from the origin to B ⊖ A at (1, 0), by vertex 2 of A."
+    );
     assert_eq!(last(apart, true), "Less the radii the distance is 0.5, at (1, 0), by vertex 2 of A.");
     let deep = improved(Goal::LeastPenetrating, -0.5);
-    assert_eq!(last(deep.clone(), false), "The depth is 0.5, at (1, 0), by vertex 2 of A.");
+    assert_eq!(
+        last(deep.clone(), false),
+        "The depth is 0.5, from the origin to the outline of B ⊖ A at (1, 0), by vertex 2 of A."
+    );
     assert_eq!(last(deep, true), "With the radii the depth is 0.5, at (1, 0), by vertex 2 of A.");
 }
 

@@ -88,13 +88,13 @@ impl Search {
                 Some(voice.say(phrase, &[&size, &part, &body]))
             }
             Self::Simplices | Self::AllEdges => {
-                let phrase = match (is_deep, voice.names.has_radius()) {
-                    (false, false) => &DISTANCE_IS,
-                    (false, true) => &LESS_RADII,
-                    (true, false) => &DEPTH_IS,
-                    (true, true) => &WITH_RADII,
-                };
-                Some(voice.say(phrase, &[&size, &voice.point(*foot), &part, &body]))
+                let at = voice.point(*foot);
+                if voice.names.has_radius() {
+                    let phrase = if is_deep { &WITH_RADII } else { &LESS_RADII };
+                    return Some(voice.say(phrase, &[&size, &at, &part, &body]));
+                }
+                let phrase = if is_deep { &DEPTH_IS } else { &DISTANCE_IS };
+                Some(voice.say(phrase, &[&size, &voice.difference(), &at, &part, &body]))
             }
             Self::Edges => None,
         }

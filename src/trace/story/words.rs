@@ -198,7 +198,11 @@ impl<'n> Voice<'n> {
     pub(super) fn symbol(self, letter: &str, side: Side) -> String {
         match self.hand {
             Hand::Type => format!("{letter}{}", script(side)),
-            Hand::Terminal | Hand::Words | Hand::Title => format!("{letter}_{}", self.of(side)),
+            Hand::Terminal | Hand::Words | Hand::Title => {
+                let name = self.of(side);
+                let is_letter = name.chars().nth(1).is_none();
+                if is_letter { format!("{letter}_{name}") } else { format!("{letter}({name})") }
+            }
         }
     }
 

@@ -68,16 +68,16 @@ phrases! {
     /// Several are as far.
     TIE: ", a tie", ", gleichauf", ", à égalité", ", empatados";
     /// An edge of B ⊖ A: edge, body, vertex, the other body, from, to, of what, and where the origin is.
-    DIFFERENCE_EDGE: "Edge * of * with vertex * of * is the edge * to * of *; the origin is * its line.",
-        "Kante * von * mit Ecke * von * ist die Kante * bis * von *; der Ursprung liegt * ihrer Geraden.",
-        "L’arête * de * avec le sommet * de * est l’arête * à * de * ; l’origine est * de sa droite.",
-        "La arista * de * con el vértice * de * es la arista * a * de *; el origen está * de su recta.";
+    DIFFERENCE_EDGE: "Edge * of * with vertex * of * is the edge from * to * of *; the origin is * its line.",
+        "Kante * von * mit Ecke * von * ist die Kante von * bis * von *; der Ursprung liegt * ihrer Geraden.",
+        "L’arête * de * avec le sommet * de * est l’arête de * à * de * ; l’origine est * de sa droite.",
+        "La arista * de * con el vértice * de * es la arista de * a * de *; el origen está * de su recta.";
     /// An edge of B ⊖ A with a circle: edge, body, the circle, from, to, of what, and where the origin is.
     DIFFERENCE_EDGE_OF_CENTER:
-        "Edge * of * with the centre of * is the edge * to * of *; the origin is * its line.",
-        "Kante * von * mit der Mitte von * ist die Kante * bis * von *; der Ursprung liegt * ihrer Geraden.",
-        "L’arête * de * avec le centre de * est l’arête * à * de * ; l’origine est * de sa droite.",
-        "La arista * de * con el centro de * es la arista * a * de *; el origen está * de su recta.";
+        "Edge * of * with the centre of * is the edge from * to * of *; the origin is * its line.",
+        "Kante * von * mit der Mitte von * ist Kante von * bis * von *; der Ursprung liegt * ihrer Geraden.",
+        "L’arête * de * avec le centre de * est l’arête de * à * de * ; l’origine est * de sa droite.",
+        "La arista * de * con el centro de * es la arista de * a * de *; el origen está * de su recta.";
     /// B ⊖ A of the cores of round bodies.
     WITHOUT_RADII: "* without the radii", "* ohne die Radien", "* sans les rayons", "* sin los radios";
     /// The next edge of a merge: edge, body, why.
@@ -117,21 +117,21 @@ phrases! {
         "Bisher kleinster Abstand: * bei *, durch * von *.",
         "Moindre distance jusqu’ici : * en * (* de *).",
         "Menor distancia hasta ahora: * en * (* de *).";
-    /// What a search by simplexes found of bodies without radii: distance, place, edge or vertex, body.
-    DISTANCE_IS: "The distance is *, at *, by * of *.",
-        "Der Abstand ist *, bei *, durch * von *.",
-        "La distance est *, en * (* de *).",
-        "La distancia es *, en * (* de *).";
+    /// What a search by simplexes found of bodies without radii: distance, of what, place, part, body.
+    DISTANCE_IS: "The distance is *, from the origin to * at *, by * of *.",
+        "Der Abstand ist *, vom Ursprung zu * bei *, durch * von *.",
+        "La distance est *, de l’origine à * en * (* de *).",
+        "La distancia es *, del origen a * en * (* de *).";
     /// Its distance of bodies with radii.
     LESS_RADII: "Less the radii the distance is *, at *, by * of *.",
         "Abzüglich der Radien ist der Abstand *, bei *, durch * von *.",
         "Rayons déduits, la distance est *, en * (* de *).",
         "Descontados los radios, la distancia es *, en * (* de *).";
-    /// What it found of bodies that overlap, without radii: depth, place, edge, body.
-    DEPTH_IS: "The depth is *, at *, by * of *.",
-        "Die Tiefe ist *, bei *, durch * von *.",
-        "La profondeur est *, en * (* de *).",
-        "La profundidad es *, en * (* de *).";
+    /// What it found of bodies that overlap, without radii: depth, of what, place, edge, body.
+    DEPTH_IS: "The depth is *, from the origin to the outline of * at *, by * of *.",
+        "Die Tiefe ist *, vom Ursprung zum Umriss von * bei *, durch * von *.",
+        "La profondeur est *, de l’origine au contour de * en * (* de *).",
+        "La profundidad es *, del origen al contorno de * en * (* de *).";
     /// Its depth of bodies with radii.
     WITH_RADII: "With the radii the depth is *, at *, by * of *.",
         "Mit den Radien ist die Tiefe *, bei *, durch * von *.",
@@ -158,6 +158,12 @@ phrases! {
         "Entlang *, entgegen der Normalen von * von *: * reicht von *, * von *; *.",
         "Le long de *, à l’opposé de la normale (* de *) : * va de *, * va de * ; *.",
         "A lo largo de *, en contra de la normal (* de *): * va de *, * va de *; *.";
+    /// Both bodies along the way from a vertex to the nearest point of the other one: the axis, which vertex
+    /// of which body, a body and its interval, the other one and its, and what lies between.
+    AXIS_FROM: "Along *, from * of * to the nearest point: * spans *, * spans *, *.",
+        "Entlang *, von * von * zum nächsten Punkt: * reicht von *, * von *; *.",
+        "Le long de *, vers le point le plus proche (* de *) : * va de *, * va de * ; *.",
+        "A lo largo de *, hacia el punto más cercano (* de *): * va de *, * va de *; *.";
     /// They are apart there.
     GAP: "a gap of *", "eine Lücke von *", "un écart de *", "un hueco de *";
     /// They are not: the second body, by how much, the first one.

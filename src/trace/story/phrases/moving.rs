@@ -4,15 +4,15 @@ use crate::trace::tongue::phrases;
 
 phrases! {
     /// A ray and an edge: part, body, from, to, what came of it, when.
-    RAY: "The ray against * of *, * to *: **.",
-        "Der Strahl gegen * von *, * bis *: **.",
-        "Le rayon contre * de *, * à * : **.",
-        "El rayo contra * de *, * a *: **.";
+    RAY: "The ray against * of *, from * to *: **.",
+        "Strahl – * von *, von * bis *: **.",
+        "Rayon – * de *, de * à * : **.",
+        "Rayo – * de *, de * a *: **.";
     /// A ray and a vertex of round bodies: part, body, where, what came of it, when.
     RAY_AT: "The ray against * of *, as a circle around *: **.",
-        "Der Strahl gegen * von *, als Kreis um *: **.",
-        "Le rayon contre * de *, comme cercle autour de * : **.",
-        "El rayo contra * de *, como círculo en torno a *: **.";
+        "Strahl – * von *, als Kreis um *: **.",
+        "Rayon – * de *, comme cercle autour de * : **.",
+        "Rayo – * de *, como círculo en torno a *: **.";
     /// It was not looked at.
     FACES_AWAY: "it faces away, skipped",
         "abgewandt, übersprungen",

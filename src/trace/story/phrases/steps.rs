@@ -64,6 +64,8 @@ phrases! {
     LEAST_DEPTH: "The least depth", "Die kleinste Tiefe", "La plus petite profondeur", "La menor profundidad";
     /// An axis that is tested: edge, body.
     NORMAL_OF: "The normal of * of *", "Die Normale von * von *", "Normale : * de *", "Normal: * de *";
+    /// One that leads away from a vertex: vertex, body.
+    AWAY_FROM: "From * of *", "Von * von * aus", "À partir de * de *", "Desde * de *";
     /// One that separates.
     SEPARATING: "A separating axis", "Eine Trennachse", "Un axe séparateur", "Un eje separador";
     /// A simplex of one vertex.
@@ -88,7 +90,7 @@ phrases! {
         "Un polytope : profondeur d’au moins *",
         "Un politopo: profundidad de al menos *";
     /// A ray against an edge, or a vertex of round bodies: which, body.
-    RAY: "The ray against * of *", "Strahl gegen * von *", "Rayon contre * de *", "Rayo contra * de *";
+    RAY: "The ray against * of *", "Der Strahl: * von *", "Le rayon : * de *", "El rayo: * de *";
     /// Edges that it passes over.
     AWAY: "What faces away", "Was abgewandt ist", "Ce qui tourne le dos", "Lo que da la espalda";
     /// The first part of a step.
