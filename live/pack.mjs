@@ -5,7 +5,8 @@
 // - A panic ends the module, and no page reads its message: the functions that write one trap at once, and
 //   what is only theirs goes.
 // - So does what no formula comes to that a page has, and what writes for programmers writes nothing.
-// - The root of a number is one instruction.
+// - The root of a number is one instruction, and so are the whole number below it, the lesser and the greater
+//   of two.
 // - What is alike stands side by side, where it packs better.
 // - The names of source files, and the lines in them where a panic may be, are zeros, and what panics and
 //   lists say.
@@ -41,8 +42,19 @@ const SILENT = [
     /^_ZN4core5array.*core\.\.fmt\.\.Debug\$.*3fmt17h/,
     /^_RNvX.*(5range|5alloc6layout).*5Debug3fmt$/,
 ];
-/** The root of a double: here an instruction, which rounds as it does. A library has no name for that. */
-const ROOT = /^_ZN4libm4math4sqrt4sqrt17h/;
+/**
+ * Functions that are an instruction here, with its type, its name and how many numbers it takes. A library
+ * has no name for a root, which rounds as it does there. The lesser and the greater of two differ where one
+ * is no number: that is so of lengths of 10¹⁵⁰ and more, of which no page has any.
+ */
+const INSTRUCTIONS = [
+    [/^_ZN4libm4math4sqrt4sqrt17h/, 'f64', 'sqrt', 1],
+    [/^_ZN4libm4math5floor5floor17h/, 'f64', 'floor', 1],
+    [/^fmin$/, 'f64', 'min', 2],
+    [/^fmax$/, 'f64', 'max', 2],
+    [/^fminf$/, 'f32', 'min', 2],
+    [/^fmaxf$/, 'f32', 'max', 2],
+];
 /**
  * How tables begin that nothing comes to, and their bytes: of what reads numbers in JSON 5²⁰⁴⁸, 5⁴⁰⁹⁶ and
  * 5⁸¹⁹², where a double asks for 5¹⁰⁹³ at most, of the 769 digits that decide and 324 zeros.
@@ -262,15 +274,19 @@ if (there < hot.length / 2) throw new Error(`${there} of ${hot.length} functions
 const { default: binaryen } = await import(pathToFileURL(`${folder}/index.js`));
 const cut = [without_sources, without_powers, without_notes, without_panics, without_lists];
 let module = binaryen.readBinary(cut.reduce((bytes, without) => without(bytes), compiled));
-const root = module.f64.sqrt(module.local.get(0, binaryen.f64));
 /** What stands in the place of a function; nothing where it stays. */
 function instead(part, results) {
-    if (part === ROOT) return root;
+    const instruction = INSTRUCTIONS.find(([one]) => one === part);
+    if (instruction) {
+        const [, type, name, count] = instruction;
+        const numbers = Array.from({ length: count }, (_, at) => module.local.get(at, binaryen[type]));
+        return module[type][name](...numbers);
+    }
     if (!SILENT.includes(part)) return module.unreachable();
     // 0 says that all was written.
     return results === binaryen.i32 ? module.i32.const(0) : undefined;
 }
-for (const part of [...PANICS, ...REFUSED, ...SILENT, ROOT]) {
+for (const part of [...PANICS, ...REFUSED, ...SILENT, ...INSTRUCTIONS.map(([part]) => part)]) {
     let count = 0;
     for (let index = 0; index < module.getNumFunctions(); index += 1) {
         const about = binaryen.getFunctionInfo(module.getFunctionByIndex(index));

@@ -24,6 +24,7 @@ pub(crate) fn place(sought: &[Sought], ground: &Ground) -> Labelled {
 pub(super) fn place_by(weights: &Weights, sought: &[Sought], ground: &Ground) -> Labelled {
     let resting = |_: &Sought| Old::Comfortable;
     let Some(before) = ground.before else { return still(weights, sought, ground) };
+    let weights = &weights.moving();
     // A scene pins by keys.
     let was_loose = |label: &Sought| before.placed.iter().any(|p| p.standing.loose && p.key == label.key);
     let mut sought = loosened(sought, &was_loose);

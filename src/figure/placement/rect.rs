@@ -63,11 +63,12 @@ pub(super) fn nearest_on(from: Point, to: Point, p: Point) -> Point {
     from + way_to_nearest(from, to, p)
 }
 
-/// The way from the start of a segment to its point that is nearest to a point.
+/// The way from the start of a segment to its point that is nearest to a point; none where it has no length,
+/// or more than a double holds the square of.
 fn way_to_nearest(from: Point, to: Point, p: Point) -> Offset {
     let d = to - from;
-    let square = d.square();
-    d * if square > 0.0 { ((p - from).dot(d) / square).clamp(0.0, 1.0) } else { 0.0 }
+    let share = (p - from).dot(d) / d.square();
+    if share > 0.0 && d.square() < f64::INFINITY { d * share.min(1.0) } else { Offset::default() }
 }
 
 /// The square of the distance of a point from a segment, taken from its start: of two points that mirror
@@ -135,6 +136,18 @@ mod tests {
         let p = Point::new;
         assert!(cross(p(0.0, 0.0), p(2.0, 2.0), p(0.0, 2.0), p(2.0, 0.0)));
         assert!(!cross(p(0.0, 0.0), p(1.0, 1.0), p(0.0, 2.0), p(2.0, 0.0)));
+    }
+
+    #[test]
+    fn the_distance_of_a_segment_far_beyond_the_page_is_a_number() {
+        let rect = Rect { x0: 0.0, y0: 0.0, x1: 4.0, y1: 3.0 };
+        let from = Point::new(5.0, 3.0);
+        for far in [1e160, 1e200, 1e308] {
+            for to in [Point::new(far, far), Point::new(far, -far), Point::new(far, 0.0)] {
+                assert_eq!(segment_square(&rect, from, to), 1.0, "{to:?}");
+                assert_eq!(point_square(from, to, Point::new(4.0, 3.0)), 1.0, "{to:?}");
+            }
+        }
     }
 
     #[test]

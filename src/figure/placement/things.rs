@@ -173,12 +173,15 @@ fn margin(own: &Thing, rivals: &[Rival], rect: &Rect, reach: f64) -> f64 {
     least
 }
 
+/// No page reaches as far, page pixels; the squares of lesser lengths are finite.
+const BEYOND: f64 = 1e150;
+
 impl Thing {
     /// A thing of points on the page; none without a point, or with one that no page has.
     pub(super) fn new(kind: Kind, points: Vec<Point>, clear: f64) -> Option<Self> {
         let line = if kind == Kind::Area { Polyline::closed(points) } else { Polyline::open(points) }?;
         let Rect { x0, y0, x1, y1 } = line.bounds();
-        let on_page = [x0, y0, x1, y1].iter().all(|v| v.is_finite());
+        let on_page = [x0, y0, x1, y1].iter().all(|v| v.abs() < BEYOND);
         on_page.then_some(Self { kind, line, clear, hollow: None })
     }
 
