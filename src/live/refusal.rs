@@ -12,12 +12,12 @@ use crate::scene::{Explain, Problem, Refused, Source};
 /// size of nothing or less, a place far off. To who sees the picture it is said so.
 const REASONS: [(&str, &str); 5] = [
     ("not-convex", "it would not be convex"),
-    ("degenerate", TOO_SMALL),
+    ("degenerate", "it would have no area"),
     ("negative-extent", TOO_SMALL),
     ("negative-radius", TOO_SMALL),
     ("off-page", "it would be too far away"),
 ];
-/// Why a body can't have no size, or less.
+/// Why a size can't be less than nothing.
 const TOO_SMALL: &str = "it would be too small";
 
 /// Why something can't be done with a live figure.
@@ -74,6 +74,13 @@ pub(super) static WORDS: &[Row] = &rows([
         "* kann so nicht sein: zu klein",
         "* ne peut pas être ainsi : trop petit",
         "* no puede ser así: demasiado pequeño",
+    ],
+    [
+        "* can't be so: it would have no area",
+        "*",
+        "* kann so nicht sein: ohne Fläche",
+        "* ne peut pas être ainsi : sans surface",
+        "* no puede ser así: sin área",
     ],
     [
         "the figure can't be so: it would be too far away",

@@ -196,13 +196,13 @@ fn a_refused_drag_is_told_in_the_language_of_the_scene() {
     let hollow = || json!([[["shapes", "A"], polygon.clone()]]);
     assert_eq!(said("zh", hollow()), "A can't be so: it would not be convex");
     assert_eq!(said("de-AT", hollow()), "A kann so nicht sein: nicht mehr konvex");
-    for radius in [-1.0, 0.0] {
+    for (radius, why) in [(-1.0, "it would be too small"), (0.0, "it would have no area")] {
         let small =
             json!([[["shapes", "A"], { "kind": "regular-polygon", "edges": 5, "circumradius": radius }]]);
-        assert_eq!(said("en", small), "A can't be so: it would be too small");
+        assert_eq!(said("en", small), format!("A can't be so: {why}"));
     }
     let flat = json!([[["shapes", "A"], { "kind": "box", "half_extents": [0, 1] }]]);
-    assert_eq!(said("es", flat), "A no puede ser así: demasiado pequeño");
+    assert_eq!(said("es", flat), "A no puede ser así: sin área");
     for lang in ["de", "fr", "es"] {
         for edit in [hollow(), json!([[["query", "time"], 7]]), json!([[["shapes", "A", "kind"], "box"]])] {
             assert!(!said(lang, edit.clone()).contains("can't"), "{lang}: {edit}");
