@@ -325,9 +325,9 @@ async function letGo(browser, file, fail, about) {
     await page.close();
 }
 
-// Looks at the edges of some pages that share the module in `site`; at `alone` are two pages with all they need, and
-// `columns` are pages whose scenes ask for columns.
-export async function edges({ browser, site, work, fail, stems, columns, alone }) {
+// Looks at the edges of some pages that share the module in `site`; at `alone` are two pages with all they need, at
+// `numbers` is one of bodies that are called as numbers, and `columns` are pages whose scenes ask for columns.
+export async function edges({ browser, site, work, fail, stems, columns, alone, numbers }) {
     const shared = (stem) => join(site, `${stem}.html`);
     const [first, second] = stems;
     const pair = join(site, "two.html");
@@ -342,7 +342,7 @@ export async function edges({ browser, site, work, fail, stems, columns, alone }
         await finger(browser, shared(stem), fail, `${stem}, by a finger`);
     }
     await sizes(browser, shared("small-and-turned"), fail, "sizes of a small body");
-    await letGo(browser, shared("names-that-are-numbers"), fail, "names that are numbers");
+    await letGo(browser, numbers, fail, "names that are numbers");
     await addressed(browser, shared("two-vertices"), fail, "two vertices in an address");
     for (const stem of columns) await narrow(browser, shared(stem), fail, `${stem}, narrow`);
 }

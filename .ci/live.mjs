@@ -327,7 +327,10 @@ const sceneOf = (stem) => join(folderOf(stem), `${stem}.toml`);
 for (const [i, stem] of two.entries()) run(["render", sceneOf(stem), "--live", "-o", complete[i]]);
 const inColumns = (stem) => readFileSync(sceneOf(stem), "utf8").includes("columns = ");
 const columns = stems.filter(inColumns);
-if (asked.length !== 1) await edges({ browser, site, work, fail, stems: two, columns, alone: complete });
+const numbers = join(work, "numbers.html"); // None of the pages, whose scenes other scripts read in JavaScript's order.
+run(["render", join(root, ".ci/names-that-are-numbers.toml"), "--live", "-o", numbers]);
+const pagesOfEdges = { stems: two, columns, alone: complete, numbers };
+if (asked.length !== 1) await edges({ browser, site, work, fail, ...pagesOfEdges });
 
 await browser.close();
 for (const failure of failures) console.error(`FAILED ${failure}`);
