@@ -1,7 +1,7 @@
 //! What two convex outlines have in common, as an outline of its own.
 //!
 //! Its line is made of the pieces of each line that lie in the other: every piece is split where it crosses
-//! the other outline, and what has its middle in that is kept. The common part is convex, and around a convex
+//! the other outline, and what lies in that is kept. The common part is convex, and around a convex
 //! outline the direction of the line turns one way only, so the kept pieces follow each other by the
 //! direction of their middles.
 
@@ -15,6 +15,9 @@ use super::{Outline, Piece};
 /// The most pairs of pieces that are looked at for all regions of a panel: those of the largest shapes of a
 /// scene four times where all are as wide as the body, some 0.1 s, and hundreds of times where all are short.
 const MOST_PAIRS: usize = 1 << 27;
+
+/// How far an arc bulges beyond its chords at most, as a part of its outline's size.
+const CHORD: f64 = 1e-3;
 
 /// What two outlines have in common.
 #[derive(Clone, Debug, PartialEq)]
@@ -68,9 +71,22 @@ impl Region {
 
     /// Whether a point lies in it or on its line.
     fn holds(&self, p: DVec2) -> bool {
-        let left =
-            |w: &[DVec2]| (w[1] - w[0]).perp_dot(p - w[0]) >= -NOTHING * (w[1] - w[0]).length_squared();
+        self.is_near(p, 0.0)
+    }
+
+    /// Whether a point lies in it, or beyond the lines along its chords by no more than a length.
+    fn is_near(&self, p: DVec2, off: f64) -> bool {
+        let left = |w: &[DVec2]| {
+            let way = w[1] - w[0];
+            way.perp_dot(p - w[0]) >= -NOTHING * way.length_squared() - off * way.length()
+        };
         self.points.windows(2).all(left)
+    }
+
+    /// Whether a piece of another line lies in it that its own does not cross: its middle does. Beside it the
+    /// middle may be where it touches; then what is next to the middle is far off.
+    fn holds_piece(&self, span: &Span) -> bool {
+        self.holds(span.at(0.5)) && self.is_near(span.at(0.375), CHORD * self.size)
     }
 
     /// The pieces of its line that lie in another; `None` where too many pairs were `looked` at.
@@ -82,7 +98,7 @@ impl Region {
             let by = crossing.to(span, looked);
             if by.is_empty() {
                 // Nothing crosses here: it goes on as before.
-                let here = *is_in.get_or_insert_with(|| other.holds(span.at(0.5)));
+                let here = *is_in.get_or_insert_with(|| other.holds_piece(span));
                 kept.extend(here.then_some(*span));
                 continue;
             }
@@ -98,7 +114,7 @@ impl Region {
             shares.dedup_by(|next, last| *next - *last < NOTHING);
             for ends in shares.windows(2) {
                 let part = span.part(ends[0], ends[1]);
-                let here = other.holds(part.at(0.5));
+                let here = other.holds_piece(&part);
                 kept.extend(here.then_some(part));
                 is_in = Some(here);
             }
@@ -207,6 +223,18 @@ mod tests {
             });
             // Chords stand for arcs, which end elsewhere in the lens: a point or two lie between them.
             assert!(wrong.count() <= 2, "turned by {turn}");
+        }
+    }
+
+    #[test]
+    fn a_circle_that_touches_with_the_middle_of_its_line_shares_nothing() {
+        for (r, s) in [(1.1, 0.9), (0.7, 0.6), (1.0, 1.0), (0.1, 0.2), (1.3, 0.4)] {
+            let right = Outline::circle(DVec2::new(r + s, 0.0), s);
+            let disc = Outline::circle(DVec2::ZERO, r);
+            for left in [disc, square(0.0, 0.0, r)] {
+                let both = [shared(&left, &right), shared(&right, &left)];
+                assert!(both.iter().all(|area| area.abs() < 1e-6), "{r} and {s}: {both:?}");
+            }
         }
     }
 
