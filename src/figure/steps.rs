@@ -11,7 +11,7 @@ use crate::trace::{Event, Hand, Voice, step};
 use super::cue::Cue;
 use super::fault::{Fault, Problem};
 use super::runs::{Run, Runs};
-use super::told_cue::{Told, result, said_again};
+use super::told_cue::{Told, result, said_again, titled};
 use super::{asked, tongue};
 
 /// Items of a page that share their cues: a panel, its title and its caption.
@@ -138,18 +138,14 @@ fn worded(all: Vec<Step>, said: &[StepWords]) -> (Vec<Step>, Vec<usize>, Option<
 /// Some steps as one.
 fn one(joined: &[Step], words: &StepWords) -> Step {
     let [.., last] = joined else { return Step::default() };
-    let told = |step: &Step| if joined.len() > 1 { vec![titled(step)] } else { step.sentences.clone() };
-    let own = || joined.iter().flat_map(told).collect();
+    let own = || match joined {
+        [step] => step.sentences.clone(),
+        all => all.iter().map(|step| titled(&step.title, step.sentences.join(" "))).collect(),
+    };
     Step {
         title: words.title.clone().unwrap_or_else(|| last.title.clone()),
         sentences: words.text.clone().map_or_else(own, |text| vec![text]),
     }
-}
-
-/// What a step says beside others, which have its title no more.
-fn titled(step: &Step) -> String {
-    let (title, said) = (&step.title, step.sentences.join(" "));
-    if said.starts_with(title.as_str()) { said } else { format!("{title} – {said}") }
 }
 
 /// The numbers by which items come and go.

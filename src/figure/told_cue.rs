@@ -94,6 +94,11 @@ impl Told {
     }
 }
 
+/// What a step says that stands in the place of another: what is that of now, and what of before.
+pub(super) fn titled(title: &str, said: String) -> String {
+    if said.starts_with(title) { said } else { format!("{title} – {said}") }
+}
+
 /// Sentences one after the other.
 fn together(sentences: impl Iterator<Item = String>) -> String {
     sentences.collect::<Vec<_>>().join(" ")
@@ -126,9 +131,8 @@ fn end_of_advancement(run: &Run, all: &[Cue], voice: Voice) -> Option<String> {
     let end = step::end_of_advancement(event, impact.tolerance, voice)?;
     // "That" is how far apart they are then.
     let apart = last.part(step::advanced::APART);
-    let title = || step::title(event, apart.part, voice);
     let said = if all.contains(&apart) { None } else { advanced((run, event), (apart, all), voice) };
-    let said = said.map(|said| format!("{} – {said}", title()));
+    let said = said.map(|said| titled(&step::title(event, apart.part, voice), said));
     Some(together(said.into_iter().chain([end])))
 }
 
